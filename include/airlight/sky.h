@@ -1,0 +1,84 @@
+#pragma once
+#include <array>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "airlight/atmosphere.h"
+#include "airlight/camera.h"
+#include "airlight/engine.h"
+
+namespace airlight {
+
+/// A question about the air, in the observer's own frame (east, north, up): z is the local vertical at the observer.
+struct Ray {
+  double altitude = 0;                 ///< observer above the ground sphere [m]; may be negative, may be in space
+  Direction view{0, 0, 1};             ///< unit, observer -> scene
+  Direction sun{0, 0, 1};              ///< unit, towards the Sun's centre; may be below the horizon
+  double distance = std::numeric_limits<double>::infinity();  ///< [m]; infinity: to space or the ground
+};
+
+enum class Quantity {
+  radiance,        ///< [W m^-2 sr^-1 nm^-1] along the ray, sun disc excluded; ground's reflection included where the ray meets it
+  path_radiance,   ///< [W m^-2 sr^-1 nm^-1] the air's part alone
+  transmittance,   ///< [1] along the ray
+  sun_irradiance,  ///< [W m^-2 nm^-1] direct sunlight on a plane normal to the beam; `view` and `distance` are not used
+  sky_irradiance,  ///< [W m^-2 nm^-1] skylight on a horizontal plane facing up; `view` and `distance` are not used
+};
+
+/// What a picture shows beside the air.
+struct PictureOptions {
+  bool sun_disc = true;
+  std::vector<double> wavelengths;  ///< [nm]; empty: the four of real time. Else a multiple of four at equal spacing, accumulated to XYZ
+};
+
+/// A model of the sky: its name, one line on what it does.
+struct ModelInfo {
+  std::string_view name, summary;
+};
+std::vector<ModelInfo> models();
+
+/// Binds an atmosphere, a model and an engine, and answers the questions of the interface in batches.
+/// Objects are cheap to make; tables are built on the first question that needs them and kept by the engine.
+class Sky {
+ public:
+  /// @param model  "single" or "skyview". @throws InputError for an unknown model or an invalid atmosphere.
+  Sky(Atmosphere atmosphere, std::string_view model = "skyview", std::shared_ptr<Engine> engine = make_engine("simd"));
+  ~Sky();
+  Sky(Sky&&) noexcept;
+  Sky& operator=(Sky&&) noexcept;
+
+  const Atmosphere& atmosphere() const;
+  std::string_view model() const;
+  Engine& engine() const;
+
+  /// Answers one quantity for N rays at W wavelengths.
+  /// @param max_order  0: all the orders that the model has; 1: light scattered or reflected once
+  /// @param out        N x W, ray slowest. @throws InputError naming the ray and the value; `out` is then untouched.
+  void evaluate(Quantity quantity, std::span<const Ray> rays, std::span<const double> wavelengths, std::span<double> out,
+                int max_order = 0) const;
+
+  /// Linear-light picture in absolute units: RGBA rows of linear sRGB [cd/m^2], alpha 1.
+  /// @param strip  Called with consecutive rows [begin, end) and their pixels, from the calling thread; return false to stop.
+  /// @returns      false when stopped
+  bool render(const Camera& camera, Direction sun, const PictureOptions& options,
+              const std::function<bool(int begin, int end, std::span<const float> rgba)>& strip) const;
+
+  /// The four wavelengths [nm] of real time.
+  std::array<double, 4> realtime_wavelengths() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+/// CIE 1931 colour of a spectrum sampled at W wavelengths with spacing-true weights: XYZ in cd/m^2 (or lx), 683 lm/W applied.
+std::array<double, 3> spectrum_to_xyz(std::span<const double> wavelengths, std::span<const double> spectrum);
+/// 40 wavelengths [nm] used for photometric answers: centres of 10 nm bins, 385 .. 775.
+std::vector<double> photometric_wavelengths();
+
+}  // namespace airlight

@@ -1,0 +1,47 @@
+// Pictures on disk: linear EXR and HDR in absolute units, tone-mapped PNG. Written to a temporary name, renamed when whole.
+#pragma once
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace airlight {
+
+/// What is said about a picture in its header, in order: name and text or number.
+using Metadata = std::vector<std::pair<std::string, std::variant<std::string, double>>>;
+
+enum class ToneCurve { filmic, reinhard };
+
+struct PictureFormat {
+  bool half = true;                     ///< EXR: half floats (clamped at 65504, said in the metadata), else 32-bit
+  std::optional<double> exposure_ev;    ///< PNG: linear picture times 2^EV (EV 0: 1 cd/m2 -> 1); none: automatic
+  ToneCurve tone_curve = ToneCurve::filmic;
+  int compression_threads = 0;          ///< 0: all cores
+};
+
+/// Takes a picture row by row: linear sRGB [cd/m^2].
+class PictureFile {
+ public:
+  /// @param path  .exr, .hdr or .png; an existing regular file is replaced only by finish(); a device or pipe is written directly.
+  /// @throws InputError for an unknown ending or a folder that cannot be written, before anything is written.
+  PictureFile(const std::string& path, int width, int height, const PictureFormat& format, const Metadata& metadata);
+  ~PictureFile();  ///< not finished: the temporary file is removed
+
+  /// Rows [begin, end), consecutive from 0; RGBA, alpha is not written.
+  void write_rows(int begin, int end, std::span<const float> rgba);
+
+  /// Completes and renames. @throws WorkError when the disk is full or closing fails; nothing is left behind.
+  void finish();
+
+  /// Things worth telling the person who asked: "3 pixels above half float's range were clamped"; empty: nothing.
+  std::vector<std::string> notes() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace airlight
