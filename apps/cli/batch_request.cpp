@@ -1,0 +1,95 @@
+#include "batch_request.h"
+
+#include <fmt/core.h>
+
+#include <cmath>
+#include <limits>
+
+#include "airlight/error.h"
+#include "json_line.h"
+#include "options.h"
+
+namespace airlight::cli {
+namespace {
+
+using nlohmann::json;
+
+constexpr Interval zenith_range{0, 180, "degrees"}, azimuth_range{-360, 360, "degrees"};
+
+/// Unit vector from "view_zenith" and "view_azimuth" [degrees], or "sun_...".
+Direction read_direction(Fields& fields, const std::string& prefix, bool needed) {
+  const std::string zenith_key = prefix + "_zenith";
+  const double zenith = needed ? fields.number(zenith_key, zenith_range) : fields.number(zenith_key, zenith_range, 0);
+  const double azimuth = fields.number(prefix + "_azimuth", azimuth_range, 0);
+  return direction(azimuth * degree, (90 - zenith) * degree);
+}
+
+std::vector<double> read_wavelengths(Fields& fields, bool needed) {
+  const json* const list = needed ? &fields.get("wavelengths") : fields.find("wavelengths");
+  if (!list || (list->is_null() && !needed)) return {};
+  if (!list->is_array() || list->empty() || list->size() > most_wavelengths)
+    throw InputError(
+        fmt::format("wavelengths = {}: expected an array of 1 .. {} numbers in nm", excerpt(*list), most_wavelengths));
+  std::vector<double> wavelengths;
+  for (const json& value : *list) {
+    const std::string name = fmt::format("wavelengths[{}]", wavelengths.size());
+    if (!value.is_number())
+      throw InputError(fmt::format("{} = {}: {}", name, excerpt(value), expected(any_wavelength)));
+    check_number(value.get<double>(), name, any_wavelength);
+    wavelengths.push_back(value.get<double>());
+  }
+  return wavelengths;
+}
+
+int read_order(Fields& fields) {
+  constexpr int highest = 1000;
+  const json* const order = fields.find("max_order");
+  if (!order || order->is_null()) return 0;
+  if (!order->is_number_integer() || *order < 0 || *order > highest)
+    throw InputError(fmt::format("max_order = {}: expected a whole number 0 (all) .. {}", excerpt(*order), highest));
+  return order->get<int>();
+}
+
+void read(const json& object, BatchRequest& request) {
+  Fields fields(object, "");
+  fields.find("id");
+  Topic& topic = request.topic;
+  Ray& ray = request.ray;
+  topic.atmosphere = fields.text("atmosphere", topic.atmosphere);
+  topic.model = fields.text("model", topic.model);
+  fields.get("quantity");
+  topic.asked = &asked(fields.text("quantity", ""));
+  ray.altitude = fields.number("altitude", {lowest_altitude, highest_altitude, "m"}, 0);
+  ray.view = read_direction(fields, "view", topic.asked->along_view);
+  ray.sun = read_direction(fields, "sun", topic.asked->spectral != Quantity::transmittance);
+  if (const json* const distance = fields.find("distance"); distance && !distance->is_null())
+    ray.distance = fields.number("distance", {0, highest_altitude, "m (or null)"});
+  topic.wavelengths = read_wavelengths(fields, !topic.asked->photometric);
+  topic.max_order = read_order(fields);
+  fields.expect_no_more();
+  if (topic.asked->photometric && !topic.wavelengths.empty()) {
+    if (topic.wavelengths.size() < 2) throw InputError("wavelengths: a photometric quantity needs at least 2");
+    for (std::size_t i = 1; i < topic.wavelengths.size(); ++i)
+      if (topic.wavelengths[i] <= topic.wavelengths[i - 1])
+        throw InputError(
+            fmt::format("wavelengths[{}] = {}: expected more than {} nm, the one before (a photometric quantity "
+                        "integrates over them)",
+                        i, topic.wavelengths[i], topic.wavelengths[i - 1]));
+  }
+}
+
+}  // namespace
+
+BatchRequest parse_batch_request(std::string_view text, const Topic& otherwise) {
+  BatchRequest request{nullptr, otherwise, {}, {}};
+  try {
+    const json object = parse_object(text);
+    request.id = line_id(object);
+    read(object, request);
+  } catch (const InputError& error) {
+    request.error = error.what();
+  }
+  return request;
+}
+
+}  // namespace airlight::cli

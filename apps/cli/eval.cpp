@@ -1,0 +1,160 @@
+// `airlight eval`: kernel functions by name on any engine; test vectors for people who port a kernel.
+#include <fmt/core.h>
+
+#include <map>
+#include <memory>
+
+#include "airlight/engine.h"
+#include "airlight/error.h"
+#include "commands.h"
+#include "eval_request.h"
+#include "interrupt.h"
+#include "json_line.h"
+#include "jsonl.h"
+#include "options.h"
+#include "text_output.h"
+
+namespace airlight::cli {
+namespace {
+
+struct EvalOptions {
+  std::string engine = "double", output = "-";
+  bool list = false, json = false;
+};
+
+int result_components(const FunctionInfo& function) {
+  int count = function.returns_nothing ? 0 : components(function.result);
+  for (const ArgumentInfo& argument : function.arguments) count += argument.out ? components(argument.type) : 0;
+  return count;
+}
+
+struct Job {
+  EvalRequest request;
+  std::vector<double> results;
+};
+
+/// One call of the engine for all requests of one function and equal uniform arguments.
+void evaluate_together(Engine& engine, std::span<Job* const> group) {
+  const EvalRequest& first = group.front()->request;
+  const std::size_t count = group.size(), taken = first.varying.size(), given = result_components(*first.function);
+  std::vector<double> varying(taken * count), results(given * count);
+  for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t c = 0; c < taken; ++c) varying[c * count + i] = group[i]->request.varying[c];
+  try {
+    engine.evaluate(*first.function, first.uniforms, varying, static_cast<int>(count), results);
+  } catch (const std::runtime_error& error) {
+    for (Job* job : group) job->request.error = error.what();
+    return;
+  }
+  for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t c = 0; c < given; ++c) group[i]->results.push_back(results[c * count + i]);
+}
+
+/// Bit patterns, so that a NaN is equal to itself and the order is total.
+std::string bytes(const std::vector<double>& numbers) {
+  return {reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(double)};
+}
+
+int answer_vectors(const EvalOptions& options) {
+  const auto engine = make_engine(options.engine);
+  bool all_answered = true;
+  const auto answer_chunk = [&](const std::string& name, std::span<const LineReader::Line> lines) {
+    std::vector<Job> jobs;
+    for (const LineReader::Line& line : lines) {
+      jobs.push_back({parse_eval_request(line.text), {}});
+      if (line.too_long) jobs.back().request.error = fmt::format("longer than {} bytes", LineReader::longest);
+    }
+    std::map<std::pair<const FunctionInfo*, std::string>, std::vector<Job*>> groups;
+    for (Job& job : jobs)
+      if (job.request.error.empty()) groups[{job.request.function, bytes(job.request.uniforms)}].push_back(&job);
+    for (const auto& [key, group] : groups) {
+      check_interrupt();
+      evaluate_together(*engine, group);
+    }
+    std::vector<std::string> texts;
+    for (std::size_t i = 0; i < jobs.size(); ++i) {
+      const auto& [request, results] = jobs[i];
+      all_answered = all_answered && request.error.empty();
+      texts.push_back(
+          to_line(request.error.empty()
+                      ? eval_answer(request.id, *request.function, results)
+                      : error_answer(request.id, fmt::format("{}:{}: {}", name, lines[i].number, request.error))));
+    }
+    return texts;
+  };
+  answer_lines("-", options.output, "eval", answer_chunk);
+  return all_answered ? ok : failed;
+}
+
+nlohmann::ordered_json described(const ArgumentInfo& argument) {
+  nlohmann::ordered_json json{{"name", argument.name}, {"type", type_name(argument.type, argument.struct_name)}};
+  if (argument.type == KernelType::Struct) {
+    for (const ArgumentInfo& field : kernel_struct(argument.struct_name).fields)
+      json["fields"].push_back(described(field));
+    return json;
+  }
+  json["unit"] = argument.unit;
+  if (!argument.out) json["range"] = {argument.low, argument.high};
+  return json;
+}
+
+std::string list_as_json() {
+  auto list = nlohmann::ordered_json::array();
+  for (const FunctionInfo& function : kernel_functions()) {
+    nlohmann::ordered_json json{
+        {"fn", function.name}, {"text", function.text}, {"arguments", nlohmann::ordered_json::array()}};
+    for (const ArgumentInfo& argument : function.arguments)
+      json[argument.out ? "outputs" : "arguments"].push_back(described(argument));
+    json["result"] = {{"type", function.returns_nothing ? "void" : type_name(function.result)},
+                      {"unit", function.unit}};
+    json["bound"] = function.bound;
+    json["scale"] = function.scale;
+    json["evaluable"] = function.evaluable;
+    json["source"] = fmt::format("{}:{}", function.file, function.line);
+    list.push_back(std::move(json));
+  }
+  return list.dump(2) + '\n';
+}
+
+void list_argument(const ArgumentInfo& argument, int indent, std::string& text) {
+  text += fmt::format("{:{}}{} {}{}", "", indent, type_name(argument.type, argument.struct_name), argument.name,
+                      argument.out ? " (out)" : "");
+  if (!argument.unit.empty()) text += fmt::format(" [{}]", argument.unit);
+  if (!argument.out && argument.low < argument.high) text += fmt::format(" {:g} .. {:g}", argument.low, argument.high);
+  text += '\n';
+  if (argument.type == KernelType::Struct)
+    for (const ArgumentInfo& field : kernel_struct(argument.struct_name).fields) list_argument(field, indent + 4, text);
+}
+
+std::string list_as_text() {
+  std::string text;
+  for (const FunctionInfo& function : kernel_functions()) {
+    text += fmt::format("{} -> {} [{}], bound {:g} * max(|value|, {:g}){}\n    {}\n", function.name,
+                        function.returns_nothing ? "void" : type_name(function.result), function.unit, function.bound,
+                        function.scale, function.evaluable ? "" : ", reads tables", function.text);
+    for (const ArgumentInfo& argument : function.arguments) list_argument(argument, 4, text);
+  }
+  return text;
+}
+
+int run_eval(const EvalOptions& options) {
+  if (!options.list) return answer_vectors(options);
+  write_text(options.output, options.json ? list_as_json() : list_as_text());
+  return ok;
+}
+
+}  // namespace
+
+void add_eval(CLI::App& app, Command& chosen) {
+  const auto options = std::make_shared<EvalOptions>();
+  CLI::App& eval = *app.add_subcommand("eval", "Kernel functions by name: JSON lines from standard input, answers out");
+  add_engine(eval, options->engine);
+  eval.add_option("-o,--output", options->output, "where the answers go; - is standard output (default -)")
+      ->type_name("FILE");
+  auto* const list =
+      eval.add_flag("--list", options->list, "every function with its arguments, units, ranges and bound");
+  eval.add_flag("--json", options->json, "the list as JSON")->needs(list);
+  eval.callback([options, &chosen] { chosen = [options] { return run_eval(*options); }; });
+}
+
+}  // namespace airlight::cli

@@ -1,0 +1,28 @@
+#include "interrupt.h"
+
+#include <csignal>
+#include <initializer_list>
+
+namespace airlight::cli {
+namespace {
+volatile std::sig_atomic_t flag = 0;
+void on_signal(int) { flag = 1; }
+}  // namespace
+
+void catch_interrupts() {
+  struct sigaction action = {};
+  action.sa_handler = on_signal;  // without SA_RESTART: a read that waits for input returns, and the flag is seen
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    struct sigaction before = {};
+    // What the parent chose to ignore (nohup, background jobs of simple shells) stays ignored.
+    if (sigaction(signal, nullptr, &before) == 0 && before.sa_handler != SIG_IGN) sigaction(signal, &action, nullptr);
+  }
+}
+
+bool interrupted() { return flag != 0; }
+
+void check_interrupt() {
+  if (interrupted()) throw Interrupted{};
+}
+
+}  // namespace airlight::cli

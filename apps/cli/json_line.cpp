@@ -1,0 +1,106 @@
+#include "json_line.h"
+
+#include <fmt/core.h>
+
+#include "airlight/error.h"
+#include "did_you_mean.h"
+
+namespace airlight::cli {
+
+using nlohmann::json;
+
+namespace {
+
+constexpr std::size_t longest_excerpt = 40;
+
+/// "[json.exception.parse_error.101] parse error at line 1, column 5: syntax error ..." without the library's own
+/// address.
+std::string plain_message(const json::exception& error) {
+  const std::string_view what = error.what();
+  const std::size_t bracket = what.find("] ");
+  return "not JSON: " + std::string(bracket == what.npos ? what : what.substr(bracket + 2));
+}
+
+}  // namespace
+
+json parse_object(std::string_view text) {
+  static constexpr int deepest = 8;
+  // A key given twice would silently keep its last value; the parser's callback is the only place that sees both.
+  std::vector<std::set<std::string>> keys;
+  const auto watch = [&keys](int depth, json::parse_event_t event, json& value) {
+    if (depth > deepest) throw InputError(fmt::format("nested deeper than {}", deepest));
+    if (event == json::parse_event_t::object_start) keys.emplace_back();
+    if (event == json::parse_event_t::object_end) keys.pop_back();
+    if (event == json::parse_event_t::key && !keys.back().insert(value.get<std::string>()).second)
+      throw InputError(fmt::format("{}: given twice", value.get<std::string>().substr(0, longest_excerpt)));
+    return true;
+  };
+  try {
+    json object = json::parse(text, watch);
+    if (!object.is_object()) throw InputError("expected a JSON object, {\"id\":…}");
+    return object;
+  } catch (const json::exception& error) {
+    throw InputError(plain_message(error));
+  }
+}
+
+json line_id(const json& object) {
+  const auto found = object.find("id");
+  if (found == object.end()) return nullptr;
+  if (!found->is_string() && !found->is_number() && !found->is_null())
+    throw InputError("id: expected a string or a number");
+  return *found;
+}
+
+const json* Fields::find(const std::string& key) {
+  known_.insert(key);
+  const auto found = object_.find(key);
+  return found == object_.end() ? nullptr : &*found;
+}
+
+const json& Fields::get(const std::string& key) {
+  if (const json* const found = find(key)) return *found;
+  throw InputError(path(key) + ": missing");
+}
+
+double Fields::number(const std::string& key, const Interval& interval) {
+  const json& value = get(key);
+  if (!value.is_number()) throw InputError(fmt::format("{} = {}: {}", path(key), excerpt(value), expected(interval)));
+  const double number = value.get<double>();
+  check_number(number, path(key), interval);
+  return number;
+}
+
+double Fields::number(const std::string& key, const Interval& interval, double otherwise) {
+  return find(key) ? number(key, interval) : otherwise;
+}
+
+std::string Fields::text(const std::string& key, const std::string& otherwise) {
+  const json* const value = find(key);
+  if (!value) return otherwise;
+  if (!value->is_string()) throw InputError(fmt::format("{} = {}: expected a string", path(key), excerpt(*value)));
+  return value->get<std::string>();
+}
+
+void Fields::expect_no_more() const {
+  for (const auto& [key, value] : object_.items())
+    if (!known_.contains(key))
+      throw InputError(
+          fmt::format("{}: unknown key{}", path(key.substr(0, longest_excerpt)), did_you_mean(key, known_)));
+}
+
+std::string excerpt(const json& value) {
+  if (value.is_structured()) return value.is_array() ? "an array" : "an object";
+  const std::string text = value.dump(-1, ' ', true, json::error_handler_t::replace);
+  return text.size() <= longest_excerpt ? text : text.substr(0, longest_excerpt) + "...";
+}
+
+std::string to_line(const nlohmann::ordered_json& object) {
+  return object.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n';
+}
+
+nlohmann::ordered_json error_answer(const json& id, const std::string& message) {
+  return {{"id", id}, {"error", message}};
+}
+
+}  // namespace airlight::cli

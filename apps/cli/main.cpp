@@ -1,0 +1,57 @@
+#include <csignal>
+#include <cstdio>
+#include <exception>
+
+#include "airlight/error.h"
+#include "commands.h"
+#include "interrupt.h"
+
+namespace {
+
+int complain(const std::exception& problem, int code) {
+  std::fprintf(stderr, "airlight: %s\n", problem.what());
+  return code;
+}
+
+int run(int argc, char** argv) {
+  using namespace airlight::cli;
+  CLI::App app{"The light of the sky: pictures and numbers in absolute units.", "airlight"};
+  app.set_version_flag("--version", version());
+  app.require_subcommand(1);
+  app.get_formatter()->column_width(38);
+  Command chosen;
+  add_sky(app, chosen);
+  add_probe(app, chosen);
+  add_eval(app, chosen);
+  add_models(app, chosen);
+  add_planets(app, chosen);
+  add_doctor(app, chosen);
+  app.footer(
+      "Exit codes: 0 done; 1 failed while working, or some lines of a batch failed; 2 bad usage or input; 130 "
+      "interrupted.");
+  try {
+    app.parse(argc, argv);
+    return chosen();
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? ok : bad_input;
+  } catch (const Interrupted&) {
+    std::fprintf(stderr, "airlight: interrupted; nothing was written\n");
+    return interrupted_code;
+  } catch (const airlight::InputError& error) {
+    return complain(error, bad_input);
+  } catch (const std::exception& error) {
+    // A signal that cut a blocking call short shows up as that call's failure.
+    return complain(error, interrupted() ? interrupted_code : failed);
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  // A full disk, a file size limit or a reader that went away are errors of a write, which are reported and cleaned up
+  // after; the signals would end the program on the spot and leave a temporary file behind.
+  std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
+  airlight::cli::catch_interrupts();
+  return run(argc, argv);
+}

@@ -1,0 +1,83 @@
+#include "number.h"
+
+#include <fmt/core.h>
+
+#include <charconv>
+#include <cmath>
+
+#include "airlight/error.h"
+
+namespace airlight::cli {
+
+std::string expected(const Interval& interval) {
+  return fmt::format("expected {:g} .. {:g}{}{}", interval.low, interval.high, interval.unit.empty() ? "" : " ",
+                     interval.unit);
+}
+
+double parse_number(std::string_view text, std::string_view name, const Interval& interval) {
+  const std::string_view digits = text.starts_with('+') ? text.substr(1) : text;
+  double value = 0;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  // "nan" and "inf" are numbers to from_chars; they fail the comparison.
+  const bool whole = error == std::errc{} && end == digits.data() + digits.size();
+  if (!whole || !(value >= interval.low && value <= interval.high))
+    throw InputError(fmt::format("{} = {}: {}", name, text, expected(interval)));
+  return value;
+}
+
+void check_number(double value, std::string_view name, const Interval& interval) {
+  if (!(value >= interval.low && value <= interval.high))
+    throw InputError(fmt::format("{} = {}: {}", name, value, expected(interval)));
+}
+
+namespace {
+
+template <typename Number>
+CLI::Option* add(CLI::App& app, const std::string& name, Number& value, const Interval& interval,
+                 const std::string& help) {
+  const auto read = [&value, name, interval](const std::string& text) { value = parse_number(text, name, interval); };
+  const std::string range = fmt::format("{:g} .. {:g}", interval.low, interval.high);
+  return app
+      .add_option_function<std::string>(
+          name, read, fmt::format("{} [{}{}{}]", help, interval.unit, interval.unit.empty() ? "" : ", ", range))
+      ->type_name("NUMBER");
+}
+
+}  // namespace
+
+CLI::Option* add_number(CLI::App& app, const std::string& name, double& value, Interval interval,
+                        const std::string& help) {
+  return add(app, name, value, interval, fmt::format("{} (default {:g})", help, value));
+}
+
+CLI::Option* add_number(CLI::App& app, const std::string& name, std::optional<double>& value, Interval interval,
+                        const std::string& help) {
+  return add(app, name, value, interval, help);
+}
+
+std::vector<double> parse_wavelengths(const std::string& text, std::string_view name) {
+  std::vector<double> numbers;
+  const bool range = text.find(':') != std::string::npos;
+  const std::string_view separator = range ? ":" : ",";
+  for (std::size_t begin = 0; begin <= text.size() && numbers.size() <= most_wavelengths;) {
+    const std::size_t end = std::min(text.find(separator, begin), text.size());
+    numbers.push_back(parse_number(std::string_view(text).substr(begin, end - begin), name, any_wavelength));
+    begin = end + 1;
+  }
+  if (range) {
+    if (numbers.size() != 3) throw InputError(fmt::format("{} = {}: expected first:last:step in nm", name, text));
+    const double first = numbers[0], last = numbers[1], step = numbers[2];
+    // A last value missed only by rounding still belongs to the list.
+    const double steps = std::floor((last - first) / step + 1e-9);
+    if (!(steps >= 0) || steps >= most_wavelengths)
+      throw InputError(
+          fmt::format("{} = {}: expected first <= last and at most {} wavelengths", name, text, most_wavelengths));
+    numbers.clear();
+    for (int i = 0; i <= static_cast<int>(steps); ++i) numbers.push_back(first + i * step);
+  }
+  if (numbers.size() > most_wavelengths)
+    throw InputError(fmt::format("{}: more than {} wavelengths", name, most_wavelengths));
+  return numbers;
+}
+
+}  // namespace airlight::cli

@@ -1,0 +1,138 @@
+#include "options.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "airlight/error.h"
+#include "airlight/sky.h"
+#include "did_you_mean.h"
+#include "number.h"
+#include "scene/sun_position.h"
+#include "scenefile/atmosphere_file.h"
+
+namespace airlight::cli {
+namespace {
+
+const char* const air_group = "Air";
+const char* const sun_group = "Sun";
+const char* const machine_group = "Model and engine";
+
+template <typename Names>
+std::string join(const Names& names) {
+  std::string text;
+  for (const std::string_view name : names) text += (text.empty() ? "" : ", ") + std::string(name);
+  return text;
+}
+
+std::vector<std::string_view> model_names() {
+  std::vector<std::string_view> names;
+  for (const ModelInfo& model : models()) names.push_back(model.name);
+  return names;
+}
+
+}  // namespace
+
+void add_air_overrides(CLI::App& app, AirOverrides& overrides) {
+  add_number(app, "--aerosol-optical-depth", overrides.aerosol_optical_depth, {0, 100, ""},
+             "vertical optical depth of the aerosol at 550 nm")
+      ->group(air_group);
+  add_number(app, "--angstrom", overrides.angstrom, {-10, 10, ""}, "Ångström exponent of the aerosol")
+      ->group(air_group);
+  add_number(app, "--ozone", overrides.ozone, {0, 10'000, "Dobson units"}, "ozone column")->group(air_group);
+}
+
+void AirOptions::add_to(CLI::App& app) {
+  app.add_option("--planet", planet,
+                 fmt::format("atmosphere: {} or a file.toml (default {})", join(built_in_atmospheres()), planet))
+      ->group(air_group)
+      ->type_name("NAME");
+  add_air_overrides(app, overrides);
+}
+
+Atmosphere AirOptions::load() const { return with_overrides(load_atmosphere(planet), overrides); }
+
+void SunOptions::add_to(CLI::App& app) {
+  auto* const place_option =
+      app.add_option("--place", place,
+                     "latitude and longitude on Earth, north and east positive [degrees, -90 .. 90, -180 .. 180]")
+          ->group(sun_group)
+          ->type_name("LAT,LON");
+  auto* const time_option =
+      app.add_option("--time", time, "ISO 8601 time: 2026-06-21T18:40Z, or with an offset as in +02:00")
+          ->group(sun_group)
+          ->type_name("TIME");
+  place_option->needs(time_option);
+  time_option->needs(place_option);
+  app.add_flag("--refraction", refraction,
+               "lift the sun by the standard refraction of the air, 0.57 degrees at the horizon (default off)")
+      ->group(sun_group)
+      ->needs(place_option);
+  add_number(app, "--sun-elevation", elevation, {-90, 90, "degrees"},
+             "sun above the horizon, in place of --place and --time")
+      ->group(sun_group)
+      ->excludes(place_option);
+  add_number(app, "--sun-azimuth", azimuth, {-360, 360, "degrees"}, "sun's azimuth from north, clockwise (default 0)")
+      ->group(sun_group)
+      ->excludes(place_option);
+}
+
+SunPlace SunOptions::resolve() const {
+  SunPlace sun;
+  Metadata origin;
+  if (!place.empty()) {
+    const Time when = parse_time(time);
+    const SunPosition position = sun_position(parse_place(place), when);
+    const double lift = refraction ? airlight::refraction(position.elevation) : 0;
+    sun.azimuth = position.azimuth / degree;
+    sun.elevation = (position.elevation + lift) / degree;
+    sun.distance = position.distance;
+    origin = {{"place", place},
+              {"time", format_time(when)},
+              {"refraction", refraction ? "standard air, lifts the sun" : "none"},
+              {"sun distance [au]", sun.distance},
+              {"sun irradiance", "scaled by 1 / distance^2"}};
+  } else if (elevation) {
+    sun.elevation = *elevation;
+    sun.azimuth = azimuth.value_or(0);
+  } else {
+    throw InputError("where does the sun stand? Give --place and --time, or --sun-elevation [degrees, -90 .. 90]");
+  }
+  sun.said = {{"sun azimuth [degrees]", sun.azimuth}, {"sun elevation [degrees]", sun.elevation}};
+  sun.said.insert(sun.said.end(), origin.begin(), origin.end());
+  return sun;
+}
+
+Direction SunPlace::direction() const { return airlight::direction(azimuth * degree, elevation * degree); }
+
+void SunPlace::apply_distance(Atmosphere& atmosphere) const {
+  atmosphere.sun.irradiance = atmosphere.sun.irradiance.scaled(1 / (distance * distance));
+  atmosphere.sun.angular_radius /= distance;  // the disc's radiance stays the same
+}
+
+void MachineOptions::add_to(CLI::App& app) {
+  app.add_option("--model", model, fmt::format("{} (default {})", join(model_names()), model))
+      ->group(machine_group)
+      ->type_name("NAME");
+  add_engine(app, engine);
+}
+
+void add_engine(CLI::App& app, std::string& engine) {
+  app.add_option("--engine", engine, fmt::format("double, simd, gl (default {})", engine))
+      ->group(machine_group)
+      ->type_name("NAME");
+}
+
+void check_model_name(std::string_view model, std::string_view option) {
+  const auto names = model_names();
+  if (std::find(names.begin(), names.end(), model) == names.end())
+    throw InputError(fmt::format("{} = {}: unknown{}", option, model, did_you_mean(model, names)));
+}
+
+void MachineOptions::check_model() const { check_model_name(model, "--model"); }
+
+std::shared_ptr<Engine> MachineOptions::make() const { return make_engine(engine); }
+
+std::string describe(const Engine& engine) { return fmt::format("{} ({})", engine.name(), engine.device()); }
+
+}  // namespace airlight::cli

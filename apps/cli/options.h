@@ -1,0 +1,72 @@
+// Option groups that several commands share: which air, where the sun stands, which model and engine.
+#pragma once
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "airlight/atmosphere.h"
+#include "airlight/camera.h"
+#include "airlight/engine.h"
+#include "image/picture_file.h"
+
+namespace airlight::cli {
+
+/// --aerosol-optical-depth, --angstrom, --ozone
+void add_air_overrides(CLI::App& app, AirOverrides& overrides);
+
+/// --planet and the overrides.
+struct AirOptions {
+  std::string planet = "earth";
+  AirOverrides overrides;
+
+  void add_to(CLI::App& app);
+  /// @throws InputError
+  Atmosphere load() const;
+};
+
+/// Where the sun stands, in the observer's frame, and how it was said.
+struct SunPlace {
+  double azimuth = 0, elevation = 0;  ///< [degrees]; refraction's lift included where asked for
+  double distance = 1;                ///< [astronomical units]; 1 unless place and time say otherwise
+  Metadata said;                      ///< "sun azimuth", ..., for metadata and tables
+
+  Direction direction() const;
+  /// The sun of this distance: irradiance falls with its square, the disc's radius with it.
+  void apply_distance(Atmosphere& atmosphere) const;
+};
+
+/// --place and --time, with --refraction; or --sun-elevation and --sun-azimuth.
+struct SunOptions {
+  std::string place, time;
+  bool refraction = false;
+  std::optional<double> elevation, azimuth;
+
+  void add_to(CLI::App& app);
+  /// @throws InputError, also when the command line does not say where the sun stands.
+  SunPlace resolve() const;
+};
+
+/// --model and --engine
+struct MachineOptions {
+  std::string model = "skyview", engine = "simd";
+
+  void add_to(CLI::App& app);
+  /// @throws InputError for unknown names, with "did you mean".
+  void check_model() const;
+  std::shared_ptr<Engine> make() const;
+};
+/// --engine alone
+void add_engine(CLI::App& app, std::string& engine);
+
+/// @throws InputError "--model = skyveiw: unknown; did you mean skyview?"
+void check_model_name(std::string_view model, std::string_view option);
+
+/// "simd (avx512, 2 threads)"
+std::string describe(const Engine& engine);
+
+inline constexpr double lowest_altitude = -20'000, highest_altitude = 1e12;  ///< [m]
+
+}  // namespace airlight::cli

@@ -1,0 +1,184 @@
+// `airlight probe`: the numbers of the sky for one view, or for a file of questions.
+#include <fmt/core.h>
+
+#include <memory>
+
+#include "airlight/error.h"
+#include "answers.h"
+#include "batch.h"
+#include "commands.h"
+#include "json_line.h"
+#include "number.h"
+#include "options.h"
+#include "text_output.h"
+
+namespace airlight::cli {
+namespace {
+
+struct ProbeOptions {
+  AirOptions air;
+  SunOptions sun;
+  MachineOptions machine;
+  double altitude = 0, view_zenith = 0, view_azimuth = 0, max_order = 0;
+  std::optional<double> distance;
+  std::string wavelengths = "400:700:50", batch, output = "-";
+  bool json = false;
+};
+
+/// Everything there is to know about one view.
+struct Report {
+  std::string atmosphere, model, engine;
+  SunPlace sun;
+  std::vector<double> wavelengths;
+  struct Row {
+    const Asked* asked;
+    std::vector<double> values;  ///< one for each wavelength; one alone for photometric quantities
+  };
+  std::vector<Row> rows;
+  std::array<double, 3> xyz;  ///< of the radiance [cd m-2]
+};
+
+Report make_report(const ProbeOptions& options) {
+  Report report;
+  report.sun = options.sun.resolve();
+  report.wavelengths = parse_wavelengths(options.wavelengths, "--wavelengths");
+  Atmosphere atmosphere = options.air.load();
+  report.sun.apply_distance(atmosphere);
+  options.machine.check_model();
+  const Sky sky(atmosphere, options.machine.model, options.machine.make());
+  report.atmosphere = atmosphere.name;
+  report.model = sky.model();
+  report.engine = describe(sky.engine());
+
+  Ray ray;
+  ray.altitude = options.altitude;
+  ray.view = direction(options.view_azimuth * degree, (90 - options.view_zenith) * degree);
+  ray.sun = report.sun.direction();
+  if (options.distance) ray.distance = *options.distance;
+  const std::span rays(&ray, 1);
+  const int order = static_cast<int>(options.max_order);
+  for (const Asked& asked : all_asked())
+    report.rows.push_back(
+        {&asked, answer(sky, asked, rays, asked.photometric ? std::span<const double>() : report.wavelengths, order)});
+  const auto eye = photometric_wavelengths();
+  report.xyz = spectrum_to_xyz(eye, answer(sky, asked("radiance"), rays, eye, order));
+  return report;
+}
+
+std::array<double, 2> chromaticity(const std::array<double, 3>& xyz) {
+  const double sum = xyz[0] + xyz[1] + xyz[2];
+  return sum > 0 ? std::array{xyz[0] / sum, xyz[1] / sum} : std::array{0.0, 0.0};
+}
+
+std::string as_table(const Report& report, const ProbeOptions& options) {
+  std::string text = fmt::format("atmosphere  {}\nmodel       {} on {}\nobserver    {:g} m above the ground\n",
+                                 report.atmosphere, report.model, report.engine, options.altitude);
+  text += fmt::format("view        zenith {:g} degrees, azimuth {:g} degrees, {}\n", options.view_zenith,
+                      options.view_azimuth,
+                      options.distance ? fmt::format("up to {:g} m", *options.distance) : "to space or the ground");
+  for (const auto& [name, value] : report.sun.said)
+    text += std::visit([&name = name](const auto& said) { return fmt::format("{:<24}{}\n", name, said); }, value);
+
+  constexpr int column = 17;
+  std::string heads = fmt::format("\n{:<12}", "wavelength"), units = fmt::format("\n{:<12}", "nm");
+  for (const auto& [asked, values] : report.rows) {
+    if (asked->photometric) continue;
+    heads += fmt::format("{:>{}}", asked->name, column);
+    units += fmt::format("{:>{}}", asked->unit, column);
+  }
+  text += heads + units + '\n';
+  for (std::size_t i = 0; i < report.wavelengths.size(); ++i) {
+    text += fmt::format("{:<12g}", report.wavelengths[i]);
+    for (const auto& [asked, values] : report.rows)
+      if (!asked->photometric) text += fmt::format("{:>{}.6g}", values[i], column);
+    text += '\n';
+  }
+  text += '\n';
+  for (const auto& [asked, values] : report.rows)
+    if (asked->photometric) text += fmt::format("{:<24}{:.6g} {}\n", asked->name, values[0], asked->unit);
+  const auto [x, y] = chromaticity(report.xyz);
+  text += fmt::format("{:<24}{:.6g} {:.6g} {:.6g} cd m-2\n{:<24}{:.4f} {:.4f}\n", "XYZ (CIE 1931)", report.xyz[0],
+                      report.xyz[1], report.xyz[2], "chromaticity x y", x, y);
+  return text;
+}
+
+std::string as_json(const Report& report, const ProbeOptions& options) {
+  nlohmann::ordered_json json{{"version", version()},
+                              {"atmosphere", report.atmosphere},
+                              {"model", report.model},
+                              {"engine", report.engine},
+                              {"altitude", options.altitude},
+                              {"view_zenith", options.view_zenith},
+                              {"view_azimuth", options.view_azimuth},
+                              {"distance", nullptr},
+                              {"max_order", options.max_order}};
+  if (options.distance) json["distance"] = *options.distance;
+  for (const auto& [name, value] : report.sun.said)
+    std::visit([&](const auto& said) { json["sun"][name] = said; }, value);
+  json["wavelengths"] = report.wavelengths;
+  nlohmann::ordered_json units{{"altitude", "m"},
+                               {"view_zenith", "degrees"},
+                               {"view_azimuth", "degrees"},
+                               {"distance", "m"},
+                               {"wavelengths", "nm"}};
+  for (const auto& [asked, values] : report.rows) {
+    if (asked->photometric)
+      json[asked->name] = values[0];
+    else
+      json[asked->name] = values;
+    units[asked->name] = asked->unit;
+  }
+  json["xyz"] = report.xyz;
+  units["xyz"] = "cd m-2";
+  json["units"] = units;
+  return json.dump(2) + '\n';
+}
+
+int run_probe(const ProbeOptions& options) {
+  if (!options.batch.empty()) {
+    options.machine.check_model();
+    Skies skies(options.machine.make(), options.air.overrides);
+    return answer_batch(options.batch, options.output, skies,
+                        {options.air.planet, options.machine.model, nullptr, {}, 0});
+  }
+  const Report report = make_report(options);
+  write_text(options.output, options.json ? as_json(report, options) : as_table(report, options));
+  return ok;
+}
+
+}  // namespace
+
+void add_probe(CLI::App& app, Command& chosen) {
+  const auto options = std::make_shared<ProbeOptions>();
+  CLI::App& probe = *app.add_subcommand("probe", "Numbers for one view, or for a file of questions (--batch)");
+  auto* const batch =
+      probe.add_option("--batch", options->batch, "answer a file of JSON lines; - reads standard input")
+          ->type_name("FILE");
+  probe.add_option("-o,--output", options->output, "where the answers go; - is standard output (default -)")
+      ->type_name("FILE");
+  probe.add_flag("--json", options->json, "JSON in place of a table")->excludes(batch);
+  add_number(probe, "--altitude", options->altitude, {lowest_altitude, highest_altitude, "m"},
+             "observer above the ground")
+      ->excludes(batch);
+  add_number(probe, "--view-zenith", options->view_zenith, {0, 180, "degrees"}, "view, from straight up")
+      ->excludes(batch);
+  add_number(probe, "--view-azimuth", options->view_azimuth, {-360, 360, "degrees"}, "view, from north, clockwise")
+      ->excludes(batch);
+  add_number(probe, "--distance", options->distance, {0, highest_altitude, "m"},
+             "length of the view ray (default: to space or the ground)")
+      ->excludes(batch);
+  add_number(probe, "--max-order", options->max_order, {0, 1000, ""}, "orders of scattering, 1 single; 0 all")
+      ->excludes(batch);
+  probe
+      .add_option("--wavelengths", options->wavelengths,
+                  "nm, inside the atmosphere's data: 440,550,680 or first:last:step (default 400:700:50); luminances "
+                  "always use 40")
+      ->type_name("LIST")
+      ->excludes(batch);
+  options->sun.add_to(probe);
+  options->air.add_to(probe);
+  options->machine.add_to(probe);
+  probe.callback([options, &chosen] { chosen = [options] { return run_probe(*options); }; });
+}
+
+}  // namespace airlight::cli

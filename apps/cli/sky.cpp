@@ -1,0 +1,267 @@
+// `airlight sky`: a picture of the sky, as panorama, fisheye, cube map or through a lens.
+#include "airlight/sky.h"
+
+#include <fmt/core.h>
+
+#include <chrono>
+#include <cmath>
+#include <memory>
+#include <set>
+
+#include "airlight/error.h"
+#include "commands.h"
+#include "did_you_mean.h"
+#include "image/picture_file.h"
+#include "interrupt.h"
+#include "number.h"
+#include "options.h"
+#include "progress.h"
+
+namespace airlight::cli {
+namespace {
+
+struct SkyOptions {
+  AirOptions air;
+  SunOptions sun;
+  MachineOptions machine;
+  std::vector<std::string> outputs;
+  std::string projection = "equirectangular", size, exposure = "auto", tone = "filmic", wavelengths = "4";
+  double altitude = 2, azimuth = 0;
+  std::optional<double> elevation, field_of_view;
+  bool full_float = false, no_sun = false;
+};
+
+struct ProjectionChoice {
+  std::string_view name;
+  Projection projection;
+  int width;                        ///< when --size says nothing
+  double height_over_width;         ///< when --size gives a width alone
+  double elevation, field_of_view;  ///< [degrees], when not said
+  Interval legal_view;
+};
+constexpr ProjectionChoice projections[] = {
+    {"equirectangular", Projection::equirectangular, 2048, 0.5, 0, 360, {360, 360, "degrees"}},
+    {"fisheye", Projection::fisheye, 1024, 1, 90, 180, {1, 360, "degrees"}},
+    {"cube", Projection::cube, 512, 1, 0, 90, {90, 90, "degrees"}},
+    {"perspective", Projection::perspective, 1280, 0.5625, 0, 90, {0.1, 170, "degrees"}},
+};
+constexpr int cube_faces = 6;
+constexpr Interval legal_size{1, 65'536, "pixels"}, legal_face{1, 4096, "pixels"};
+
+/// The place of a word in a list of words. @throws InputError with "did you mean".
+std::size_t choose(std::string_view option, std::string_view text, const std::vector<std::string_view>& names) {
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (names[i] == text) return i;
+  throw InputError(fmt::format("{} = {}: unknown{}", option, text, did_you_mean(text, names)));
+}
+
+int parse_pixels(std::string_view text, const Interval& legal) {
+  const double pixels = parse_number(text, "--size", legal);
+  if (pixels != std::floor(pixels)) throw InputError(fmt::format("--size = {}: expected a whole number", text));
+  return static_cast<int>(pixels);
+}
+
+Camera make_camera(const SkyOptions& options) {
+  std::vector<std::string_view> names;
+  for (const ProjectionChoice& projection : projections) names.push_back(projection.name);
+  const ProjectionChoice& choice = projections[choose("--projection", options.projection, names)];
+  const bool cube = choice.projection == Projection::cube;
+  const Interval& legal = cube ? legal_face : legal_size;
+  Camera camera;
+  camera.projection = choice.projection;
+  const std::size_t cross = options.size.find('x');
+  camera.width =
+      options.size.empty() ? choice.width : parse_pixels(std::string_view(options.size).substr(0, cross), legal);
+  camera.height = cross == std::string::npos
+                      ? std::max(1, static_cast<int>(std::lround(camera.width * choice.height_over_width)))
+                      : parse_pixels(std::string_view(options.size).substr(cross + 1), legal);
+  if (cube && camera.height != camera.width)
+    throw InputError(fmt::format("--size = {}: a cube's faces are square; give one number", options.size));
+  const double field_of_view = options.field_of_view.value_or(choice.field_of_view);
+  check_number(field_of_view, fmt::format("--field-of-view (of {})", choice.name), choice.legal_view);
+  camera.altitude = options.altitude;
+  camera.azimuth = options.azimuth * degree;
+  camera.elevation = options.elevation.value_or(choice.elevation) * degree;
+  camera.field_of_view = field_of_view * degree;
+  return camera;
+}
+
+/// "4": the model's own; 8, 16, 40: centres of equal bins of 380 .. 780 nm; or first:last:step, a multiple of four.
+std::vector<double> picture_wavelengths(const std::string& text) {
+  if (text == "4") return {};
+  for (const int count : {8, 16, 40})
+    if (text == std::to_string(count)) {
+      const double step = 400.0 / count;
+      return parse_wavelengths(fmt::format("{}:{}:{}", 380 + step / 2, 780 - step / 2, step), "--wavelengths");
+    }
+  if (text.find(':') == std::string::npos)
+    throw InputError(fmt::format("--wavelengths = {}: expected 4, 8, 16, 40 or first:last:step in nm", text));
+  auto wavelengths = parse_wavelengths(text, "--wavelengths");
+  if (wavelengths.size() % 4 != 0)
+    throw InputError(
+        fmt::format("--wavelengths = {}: {} wavelengths; expected a multiple of 4", text, wavelengths.size()));
+  return wavelengths;
+}
+
+PictureFormat make_format(const SkyOptions& options) {
+  PictureFormat format;
+  format.half = !options.full_float;
+  if (options.exposure != "auto")
+    format.exposure_ev = parse_number(options.exposure, "--exposure", {-100, 100, "EV (or auto)"});
+  format.tone_curve =
+      choose("--tone", options.tone, {"filmic", "reinhard"}) == 0 ? ToneCurve::filmic : ToneCurve::reinhard;
+  return format;
+}
+
+Metadata make_metadata(const SkyOptions& options, const Sky& sky, const Camera& camera, const SunPlace& sun,
+                       std::span<const double> wavelengths) {
+  const auto four = sky.realtime_wavelengths();
+  if (wavelengths.empty()) wavelengths = four;
+  std::string list;
+  for (const double wavelength : wavelengths) list += fmt::format("{}{:g}", list.empty() ? "" : " ", wavelength);
+  Metadata metadata{{"Software", version()},
+                    {"atmosphere", sky.atmosphere().name},
+                    {"model", std::string(sky.model())},
+                    {"engine", describe(sky.engine())},
+                    {"units", "cd m-2, linear sRGB primaries"},
+                    {"wavelengths [nm]", list}};
+  metadata.insert(metadata.end(), sun.said.begin(), sun.said.end());
+  metadata.push_back({"sun disc", options.no_sun ? "left out" : "included"});
+  metadata.push_back({"projection", options.projection});
+  if (camera.projection == Projection::cube)
+    metadata.push_back({"faces, left to right", "east west north south up down"});
+  metadata.push_back({"camera altitude [m]", camera.altitude});
+  metadata.push_back({"camera azimuth [degrees]", camera.azimuth / degree});
+  metadata.push_back({"camera elevation [degrees]", camera.elevation / degree});
+  metadata.push_back({"field of view [degrees]", camera.field_of_view / degree});
+  const AirOverrides& air = options.air.overrides;
+  if (air.aerosol_optical_depth) metadata.push_back({"aerosol optical depth at 550 nm", *air.aerosol_optical_depth});
+  if (air.angstrom) metadata.push_back({"Angstrom exponent", *air.angstrom});
+  if (air.ozone) metadata.push_back({"ozone [Dobson units]", *air.ozone});
+  return metadata;
+}
+
+using Strip = std::function<bool(int begin, int end, std::span<const float> rgba)>;
+
+/// The six faces side by side; they come one after the other and are woven into rows here.
+bool render_cube(const Sky& sky, Camera camera, Direction sun, const PictureOptions& picture, const Strip& strip,
+                 const std::function<bool(double)>& go_on) {
+  const std::size_t face_row = std::size_t(camera.width) * 4, row = face_row * cube_faces;
+  std::vector<float> whole(row * camera.height);
+  for (camera.face = 0; camera.face < cube_faces; ++camera.face) {
+    const auto weave = [&](int begin, int end, std::span<const float> rgba) {
+      for (int y = begin; y < end; ++y)
+        std::copy_n(rgba.begin() + (y - begin) * face_row, face_row, whole.begin() + y * row + camera.face * face_row);
+      return go_on((camera.face + double(end) / camera.height) / cube_faces);
+    };
+    if (!sky.render(camera, sun, picture, weave)) return false;
+  }
+  return strip(0, camera.height, whole);
+}
+
+int run_sky(const SkyOptions& options) {
+  const auto started = std::chrono::steady_clock::now();
+  // Everything that can be wrong with the words is found before any work is done or any file is touched.
+  const Camera camera = make_camera(options);
+  const PictureFormat format = make_format(options);
+  const PictureOptions picture{!options.no_sun, picture_wavelengths(options.wavelengths)};
+  const SunPlace sun = options.sun.resolve();
+  options.machine.check_model();
+  Atmosphere atmosphere = options.air.load();
+  sun.apply_distance(atmosphere);
+  if (std::set(options.outputs.begin(), options.outputs.end()).size() != options.outputs.size())
+    throw InputError("-o: the same file is named twice");
+  const Sky sky(atmosphere, options.machine.model, options.machine.make());
+
+  const bool cube = camera.projection == Projection::cube;
+  const Metadata metadata = make_metadata(options, sky, camera, sun, picture.wavelengths);
+  std::vector<std::unique_ptr<PictureFile>> files;
+  for (const std::string& path : options.outputs)
+    files.push_back(
+        std::make_unique<PictureFile>(path, camera.width * (cube ? cube_faces : 1), camera.height, format, metadata));
+
+  {
+    Progress progress("sky");
+    const auto go_on = [&](double fraction) {
+      progress.show(fraction);
+      return !interrupted();
+    };
+    const auto write = [&](int begin, int end, std::span<const float> rgba) {
+      for (const auto& file : files) file->write_rows(begin, end, rgba);
+      return go_on(double(end) / camera.height);
+    };
+    const bool whole = cube ? render_cube(sky, camera, sun.direction(), picture, write, go_on)
+                            : sky.render(camera, sun.direction(), picture, write);
+    if (!whole) throw Interrupted{};
+    check_interrupt();
+  }
+  for (const auto& file : files) file->finish();
+
+  std::string names;
+  for (const std::string& path : options.outputs) names += (names.empty() ? "" : ", ") + path;
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
+  fmt::print(stderr, "{}: {} x {}, {}, {} on {}, sun at azimuth {:.2f}, elevation {:.2f} degrees; {:.2f} s\n", names,
+             camera.width * (cube ? cube_faces : 1), camera.height, sky.atmosphere().name, sky.model(),
+             describe(sky.engine()), sun.azimuth, sun.elevation, seconds);
+  for (std::size_t i = 0; i < files.size(); ++i)
+    for (const std::string& note : files[i]->notes()) fmt::print(stderr, "{}: {}\n", options.outputs[i], note);
+  return ok;
+}
+
+}  // namespace
+
+void add_sky(CLI::App& app, Command& chosen) {
+  const auto options = std::make_shared<SkyOptions>();
+  CLI::App& sky = *app.add_subcommand("sky", "A picture of the sky for a place and time, or for a sun's position");
+  const char* const camera = "Camera";
+  const char* const picture = "Picture";
+  sky.add_option("-o,--output", options->outputs,
+                 "picture to write: .exr and .hdr linear in cd/m2, .png tone-mapped; may be repeated")
+      ->required()
+      ->allow_extra_args(false)
+      ->type_name("FILE");
+  sky.add_option("--projection", options->projection,
+                 "equirectangular, fisheye (equidistant), perspective, or cube: six faces side by side, east west "
+                 "north south up down "
+                 "(default equirectangular)")
+      ->group(camera)
+      ->type_name("NAME");
+  sky.add_option("--size", options->size,
+                 "pixels, 1 .. 65536 a side, or the width alone; cube: of one face, 1 .. 4096 (default 2048x1024, "
+                 "fisheye 1024, cube 512, "
+                 "perspective 1280x720)")
+      ->group(camera)
+      ->type_name("WxH");
+  add_number(sky, "--altitude", options->altitude, {lowest_altitude, highest_altitude, "m"}, "camera above the ground")
+      ->group(camera);
+  add_number(sky, "--camera-azimuth", options->azimuth, {-360, 360, "degrees"},
+             "middle of the picture, from north, clockwise")
+      ->group(camera);
+  add_number(sky, "--camera-elevation", options->elevation, {-90, 90, "degrees"},
+             "axis of fisheye and perspective above the horizon (default 0, fisheye 90)")
+      ->group(camera);
+  add_number(sky, "--field-of-view", options->field_of_view, {0.1, 360, "degrees"},
+             "perspective: horizontal, up to 170 (default 90); fisheye: across the circle, from 1 (default 180)")
+      ->group(camera);
+  sky.add_option("--exposure", options->exposure,
+                 "of a .png: auto, or EV, by which 1 cd/m2 is brightened by 2^EV [EV, -100 .. 100] (default auto)")
+      ->group(picture)
+      ->type_name("EV");
+  sky.add_option("--tone", options->tone, "tone curve of a .png: filmic, reinhard (default filmic)")
+      ->group(picture)
+      ->type_name("NAME");
+  sky.add_flag("--float", options->full_float, "32-bit .exr in place of half floats, which end at 65504 cd/m2")
+      ->group(picture);
+  sky.add_flag("--no-sun", options->no_sun, "leave the sun's disc out")->group(picture);
+  sky.add_option(
+         "--wavelengths", options->wavelengths,
+         "4 (the model's own), 8, 16, 40 (bins of 380 .. 780 nm), or first:last:step [nm], a multiple of 4 (default 4)")
+      ->group(picture)
+      ->type_name("LIST");
+  options->sun.add_to(sky);
+  options->air.add_to(sky);
+  options->machine.add_to(sky);
+  sky.callback([options, &chosen] { chosen = [options] { return run_sky(*options); }; });
+}
+
+}  // namespace airlight::cli
