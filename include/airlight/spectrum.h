@@ -41,10 +41,26 @@ struct HestrofferMagnanSpectrum {
   bool operator==(const HestrofferMagnanSpectrum&) const = default;
 };
 
+class Spectrum;
+/// Product of the factors and of (1 - each complement): how an extinction and a single-scattering albedo that both depend on
+/// wavelength make scattering (a factor) and absorption (a complement).
+struct ProductSpectrum {
+  std::vector<Spectrum> factors, complements;
+  bool operator==(const ProductSpectrum&) const;
+};
+/// Absorption coefficient [1/m] of a gas of which the whole column is known: column * cross-section / path length.
+struct ColumnSpectrum {
+  double dobson = 0;                    ///< vertical column [Dobson units]
+  double path_length = 1;               ///< integral of the profile's relative density up to the planet's top [m]
+  std::vector<Spectrum> cross_section;  ///< exactly one [m^2]
+  bool operator==(const ColumnSpectrum&) const;
+};
+
 /// A quantity that depends on wavelength; its unit is that of the quantity.
 class Spectrum {
  public:
-  using Law = std::variant<ConstantSpectrum, TableSpectrum, PowerSpectrum, RayleighAirSpectrum, HestrofferMagnanSpectrum>;
+  using Law = std::variant<ConstantSpectrum, TableSpectrum, PowerSpectrum, RayleighAirSpectrum, HestrofferMagnanSpectrum,
+                           ProductSpectrum, ColumnSpectrum>;
 
   Spectrum(double value = 0) : law_(ConstantSpectrum{value}) {}
   Spectrum(Law law) : law_(std::move(law)) {}
@@ -52,13 +68,13 @@ class Spectrum {
   /// Value at a wavelength [nm]. Tables are held constant beyond their ends; ask range() whether that is inside the data.
   double at(double wavelength) const;
 
-  /// First and last wavelength [nm] of the data; none for laws that hold everywhere.
+  /// First and last wavelength [nm] of the data (as stated in a table, for bins too); none for laws that hold everywhere.
   struct Range {
     double first, last;
   };
   std::optional<Range> range() const;
 
-  /// The same spectrum times a factor.
+  /// The same spectrum times a factor; a constant takes it into its value, and nothing remains of a law times 0.
   Spectrum scaled(double factor) const;
 
   const Law& law() const { return law_; }
