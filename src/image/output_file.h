@@ -1,11 +1,20 @@
 // A file that appears whole or not at all.
 #pragma once
+#include <cstdint>
 #include <string>
+#include <string_view>
 
 namespace airlight {
 
-/// Where to write so that `target` appears only when commit() is called. For a target that exists and is not a regular file
-/// (a device, a pipe) commit() copies the bytes there; an error on closing counts.
+/// Where to write so that `target` appears only when commit() is called: a temporary file beside it, renamed at the
+/// end.
+///
+/// Symbolic links are followed, so the file that they name is replaced and they stay. A target that exists and is not a
+/// regular file (a device, a pipe), and a descriptor (/dev/stdout, /dev/fd/3), get the bytes copied by commit(); the
+/// temporary file is then in the system's folder for such. Errors of the last flush and of closing count.
+///
+/// The first object made sets SIGXFSZ and SIGPIPE to be ignored in the whole process: a file-size limit and a reader
+/// that went away are then errors with a message, and the temporary file is removed, where the default is to be killed.
 class OutputFile {
  public:
   /// @throws InputError where the target's folder does not exist or may not be written, or the target is a folder.
@@ -14,14 +23,30 @@ class OutputFile {
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
 
-  const std::string& temporary() const { return temporary_; }  ///< keeps the target's ending
-  void commit();  ///< @throws WorkError
+  const std::string& target() const { return target_; }
+  const std::string& temporary() const { return temporary_; }  ///< exists; keeps the target's ending
 
-  /// Removes the temporary files of all OutputFiles alive; for a signal handler's way out.
+  /// Appends to the temporary file, for text and other streams. @throws WorkError naming the target and the reason.
+  void write(std::string_view bytes);
+  /// Writes at a place of the temporary file. @throws WorkError naming the target and the reason.
+  void write_at(std::uint64_t offset, std::string_view bytes);
+
+  void commit();  ///< @throws WorkError; the temporary file is removed and an existing target is as it was
+
+  /// Removes the temporary files of all OutputFiles alive; may be called from a signal handler, on the way out.
   static void remove_all();
 
  private:
+  [[noreturn]] void fail(int reason);
+  void copy_to_target();
+
+  struct Name;
   std::string target_, temporary_;
+  std::string destination_;  ///< the target with its links followed
+  Name* name_ = nullptr;     ///< what remove_all() knows of this file
+  int file_ = -1;
+  int descriptor_ = -1;  ///< the target is this open descriptor
+  std::uint64_t size_ = 0;
   bool direct_ = false, done_ = false;
 };
 

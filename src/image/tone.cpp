@@ -1,0 +1,67 @@
+#include "image/tone.h"
+
+#include <algorithm>
+#include <cmath>
+
+#define AIRLIGHT_TARGET image_tone
+#define AIRLIGHT_REP xsimd::batch<float, xsimd::default_arch>
+#include "prelude/prelude.hpp"
+namespace airlight::AIRLIGHT_TARGET {
+#include "core/math.glsl"
+#include "core/tone.glsl"
+}  // namespace airlight::AIRLIGHT_TARGET
+
+namespace airlight {
+namespace {
+using namespace image_tone;
+
+// 8.5 EV above middle grey (0.18): what Reinhard's curve shows as white.
+constexpr double reinhard_white = 64;
+
+/// Dither threshold in [0, 1) of a pixel: a rank-1 lattice of the plastic number's powers (Roberts 2018, "R2"), in
+/// whole numbers modulo 2^32. Neighbours differ much, so the noise is fine and its mean over a few pixels is right.
+float threshold(std::uint32_t x, std::uint32_t y) { return float((x * 3242174889u + y * 2447445414u) >> 8) * 0x1p-24f; }
+
+}  // namespace
+
+double automatic_exposure(std::span<const float> rgb) {
+  constexpr double sun_disc = 5e5;
+  const auto key_of = [&](double brightest) {
+    double weights = 0, sum = 0;
+    for (std::size_t i = 0; i < rgb.size(); i += 3) {
+      const double luminance = 0.2126 * rgb[i] + 0.7152 * rgb[i + 1] + 0.0722 * rgb[i + 2];
+      if (!(luminance > 0 && luminance <= brightest)) continue;
+      const double weight = std::sqrt(luminance);
+      weights += weight;
+      sum += weight * std::log2(luminance);
+    }
+    return weights > 0 ? std::exp2(sum / weights) : 0;
+  };
+  double key = key_of(sun_disc);
+  if (key == 0) key = key_of(std::numeric_limits<double>::max());
+  if (key == 0) return automatic_exposure_limit;
+  return std::min(std::log2(0.25 * std::pow(key / (key + 10), 0.25) / key), automatic_exposure_limit);
+}
+
+void encode_row(std::span<const float> rgb, int y, double exposure_ev, ToneCurve curve, std::span<std::uint8_t> out) {
+  const float gain = float(std::exp2(std::clamp(exposure_ev, -120.0, 120.0)));
+  const std::size_t width = rgb.size() / 3;
+  for (std::size_t first = 0; first < width; first += std::size_t(lanes)) {
+    const std::size_t n = std::min(width - first, std::size_t(lanes));
+    alignas(64) float channels[3][lanes] = {};
+    for (std::size_t i = 0; i < n; ++i)
+      for (std::size_t c = 0; c < 3; ++c) channels[c][i] = rgb[3 * (first + i) + c];
+    const auto load = [&](int c) { return Float::of(Rep::load_aligned(channels[c]) * Rep(gain)); };
+    const Vec3 light(load(0), load(1), load(2));
+    const Vec3 shown = curve == ToneCurve::filmic ? tone_filmic(light) : tone_reinhard(light, reinhard_white);
+    srgb_encode(shown.x).v.store_aligned(channels[0]);
+    srgb_encode(shown.y).v.store_aligned(channels[1]);
+    srgb_encode(shown.z).v.store_aligned(channels[2]);
+    for (std::size_t i = 0; i < n; ++i) {
+      const float dither = threshold(std::uint32_t(first + i), std::uint32_t(y));
+      for (std::size_t c = 0; c < 3; ++c) out[3 * (first + i) + c] = std::uint8_t(channels[c][i] * 255.0f + dither);
+    }
+  }
+}
+
+}  // namespace airlight
