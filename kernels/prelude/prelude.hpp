@@ -1,0 +1,267 @@
+// The kernel language for C++ (see docs/architecture.md). Include inside no namespace, after defining
+//   AIRLIGHT_TARGET  namespace of this build of the kernels: one per number type, instruction set and translation unit's purpose
+//   AIRLIGHT_REP     double, float, or an xsimd batch of float: what one variable of a kernel holds
+// Nothing here may be merged with another build by the linker: all is in the target's namespace or templated on its batch.
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <xsimd/xsimd.hpp>
+#if defined(__AVX2__) || defined(__AVX512F__)
+#include <immintrin.h>
+#endif
+#define FN [[gnu::always_inline]] inline
+#define IN(T) const T&
+#define OUT(T) T&
+
+namespace airlight::AIRLIGHT_TARGET {
+using Rep = AIRLIGHT_REP;
+template <class R> struct Traits { using Element = R; using Mask = bool; static constexpr int lanes = 1; };
+template <class T, class A> struct Traits<xsimd::batch<T, A>> {
+  using Element = T; using Mask = xsimd::batch_bool<T, A>; static constexpr int lanes = int(xsimd::batch<T, A>::size);
+};
+using Element = Traits<Rep>::Element;
+using Mask = Traits<Rep>::Mask;
+inline constexpr int lanes = Traits<Rep>::lanes;
+
+// Scalar: the same in every lane. A class, so that 2.0 * s stays an Element and no double creeps into float code.
+struct Scalar {
+  Element v;
+  Scalar() = default;
+  constexpr Scalar(double x) : v(static_cast<Element>(x)) {}
+  explicit operator int() const { return static_cast<int>(v); }
+};
+struct alignas(4 * sizeof(Element)) Scalar4 {
+  Scalar x, y, z, w;
+  Scalar4() = default;
+  constexpr Scalar4(Scalar a, Scalar b, Scalar c, Scalar d) : x(a), y(b), z(c), w(d) {}
+};
+// Bool does not convert to bool: `if` on a value that differs between lanes is a compile error in every target.
+struct Bool { Mask v; };
+struct Float {
+  Rep v;
+  Float() = default;
+  FN Float(double x) : v(static_cast<Element>(x)) {}
+  FN Float(Scalar x) : v(x.v) {}
+  FN explicit Float(int i) : v(static_cast<Element>(i)) {}
+  FN static Float of(Rep r) { Float f; f.v = r; return f; }
+};
+struct Vec2 { Float x, y; Vec2() = default; FN Vec2(Float a, Float b) : x(a), y(b) {} };
+struct Vec3 { Float x, y, z; Vec3() = default; FN Vec3(Float a, Float b, Float c) : x(a), y(b), z(c) {} };
+struct Vec4 {
+  Float x, y, z, w;
+  Vec4() = default;
+  FN explicit Vec4(Float a) : x(a), y(a), z(a), w(a) {}
+  FN Vec4(Float a, Float b, Float c, Float d) : x(a), y(b), z(c), w(d) {}
+  FN Vec4(const Scalar4& s) : x(s.x), y(s.y), z(s.z), w(s.w) {}
+};
+
+#define AIRLIGHT_OP(op)                                                                                        \
+  FN Scalar operator op(Scalar a, Scalar b) { return Scalar(double(a.v op b.v)); }                             \
+  FN Scalar4 operator op(Scalar4 a, Scalar4 b) { return {a.x op b.x, a.y op b.y, a.z op b.z, a.w op b.w}; }    \
+  FN Float operator op(Float a, Float b) { return Float::of(a.v op b.v); }                                     \
+  FN Vec2 operator op(Vec2 a, Vec2 b) { return {a.x op b.x, a.y op b.y}; }                                     \
+  FN Vec2 operator op(Vec2 a, Float b) { return {a.x op b, a.y op b}; }                                        \
+  FN Vec3 operator op(Vec3 a, Vec3 b) { return {a.x op b.x, a.y op b.y, a.z op b.z}; }                         \
+  FN Vec3 operator op(Vec3 a, Float b) { return {a.x op b, a.y op b, a.z op b}; }                              \
+  FN Vec3 operator op(Float a, Vec3 b) { return {a op b.x, a op b.y, a op b.z}; }                              \
+  FN Vec4 operator op(Vec4 a, Vec4 b) { return {a.x op b.x, a.y op b.y, a.z op b.z, a.w op b.w}; }             \
+  FN Vec4 operator op(Vec4 a, Float b) { return {a.x op b, a.y op b, a.z op b, a.w op b}; }                    \
+  FN Vec4 operator op(Float a, Vec4 b) { return {a op b.x, a op b.y, a op b.z, a op b.w}; }
+AIRLIGHT_OP(+) AIRLIGHT_OP(-) AIRLIGHT_OP(*) AIRLIGHT_OP(/)
+#undef AIRLIGHT_OP
+#define AIRLIGHT_COMPARE(op)                                             \
+  FN bool operator op(Scalar a, Scalar b) { return a.v op b.v; }         \
+  FN Bool operator op(Float a, Float b) { return {a.v op b.v}; }
+AIRLIGHT_COMPARE(<) AIRLIGHT_COMPARE(<=) AIRLIGHT_COMPARE(>) AIRLIGHT_COMPARE(>=)
+#undef AIRLIGHT_COMPARE
+FN Scalar operator-(Scalar a) { return Scalar(double(-a.v)); }
+FN Float operator-(Float a) { return Float::of(-a.v); }
+FN Vec2 operator-(Vec2 a) { return {-a.x, -a.y}; }
+FN Vec3 operator-(Vec3 a) { return {-a.x, -a.y, -a.z}; }
+FN Vec4 operator-(Vec4 a) { return {-a.x, -a.y, -a.z, -a.w}; }
+FN Bool operator&&(Bool a, Bool b) { return {a.v && b.v}; }
+FN Bool operator||(Bool a, Bool b) { return {a.v || b.v}; }
+FN Bool operator!(Bool a) { return {!a.v}; }
+FN bool any_lane(bool m) { return m; }
+template <class T, class A> FN bool any_lane(xsimd::batch_bool<T, A> m) { return xsimd::any(m); }
+/// True where some lane needs the work. It may skip work, never change a result.
+FN bool any(Bool b) { return any_lane(b.v); }
+
+// Number or batch: the only two sets of overloads. max and min return the second argument when the first is NaN,
+// like the machine's instruction; so write max(suspect, bound).
+FN Element pick(bool c, Element a, Element b) { return c ? a : b; }
+FN Element larger(Element a, Element b) { return a > b ? a : b; }
+FN Element smaller(Element a, Element b) { return a < b ? a : b; }
+template <class T, class A> FN xsimd::batch<T, A> pick(xsimd::batch_bool<T, A> c, xsimd::batch<T, A> a, xsimd::batch<T, A> b) { return xsimd::select(c, a, b); }
+#if defined(__SSE2__)
+// On x86 the instruction does just that, whatever the compiler makes of a comparison.
+template <class T, class A> FN xsimd::batch<T, A> larger(xsimd::batch<T, A> a, xsimd::batch<T, A> b) { return xsimd::max(a, b); }
+template <class T, class A> FN xsimd::batch<T, A> smaller(xsimd::batch<T, A> a, xsimd::batch<T, A> b) { return xsimd::min(a, b); }
+#else
+// NEON's own max returns NaN when either is NaN.
+template <class T, class A> FN xsimd::batch<T, A> larger(xsimd::batch<T, A> a, xsimd::batch<T, A> b) { return xsimd::select(a > b, a, b); }
+template <class T, class A> FN xsimd::batch<T, A> smaller(xsimd::batch<T, A> a, xsimd::batch<T, A> b) { return xsimd::select(a < b, a, b); }
+#endif
+// sin of x + quarter * pi/2 for |x| < 8192, absolute error 1e-7. xsimd's sin drags in weak double functions for huge angles;
+// built with AVX-512 they would replace the baseline's at link time.
+FN Element fast_sin(Element x, double quarter) { return std::sin(x + static_cast<Element>(quarter * 1.57079632679489662)); }
+template <class T, class A> FN xsimd::batch<T, A> fast_sin(xsimd::batch<T, A> x, double quarter) {
+  using B = xsimd::batch<T, A>;
+  const B n = xsimd::nearbyint(x * B(0.636619772f));
+  const B r = xsimd::fnma(n, B(7.54978995e-8f), xsimd::fnma(n, B(4.83751297e-4f), xsimd::fnma(n, B(1.5703125f), x)));
+  const B turn = n + B(static_cast<T>(quarter));
+  const B q = turn - B(4.f) * xsimd::floor(turn * B(0.25f));  // 0, 1, 2, 3
+  const B r2 = r * r;
+  const B s = xsimd::fma(r * r2, xsimd::fma(r2, xsimd::fma(r2, B(-1.95152959e-4f), B(8.33216087e-3f)), B(-1.66666546e-1f)), r);
+  const B c = xsimd::fma(r2 * r2, xsimd::fma(r2, xsimd::fma(r2, B(2.44331571e-5f), B(-1.38873163e-3f)), B(4.16666457e-2f)),
+                         xsimd::fnma(r2, B(0.5f), B(1.f)));
+  const B value = xsimd::select((q == B(1.f)) || (q == B(3.f)), c, s);
+  return xsimd::select(q >= B(2.f), -value, value);
+}
+// x = mantissa * 2^exponent with the mantissa in [1, 2), for normal x > 0: what a logarithm is built on.
+FN Element split_exponent(double x) { int e = 0; std::frexp(x, &e); return static_cast<Element>(e - 1); }
+FN Element split_mantissa(double x) { int e = 0; return static_cast<Element>(2.0 * std::frexp(x, &e)); }
+template <class A> FN xsimd::batch<float, A> split_exponent(xsimd::batch<float, A> x) {
+  const auto bits = xsimd::bitwise_cast<xsimd::batch<std::int32_t, A>>(x);
+  return xsimd::to_float((bits >> 23) - xsimd::batch<std::int32_t, A>(127));
+}
+template <class A> FN xsimd::batch<float, A> split_mantissa(xsimd::batch<float, A> x) {
+  using I = xsimd::batch<std::int32_t, A>;
+  const auto bits = xsimd::bitwise_cast<I>(x);
+  return xsimd::bitwise_cast<xsimd::batch<float, A>>((bits & I(0x007fffff)) | I(0x3f800000));
+}
+
+#define AIRLIGHT_FUNCTION(name) \
+  FN Float name(Float a) { using std::name; using xsimd::name; return Float::of(name(a.v)); }
+AIRLIGHT_FUNCTION(exp) AIRLIGHT_FUNCTION(sqrt) AIRLIGHT_FUNCTION(floor) AIRLIGHT_FUNCTION(abs)
+#undef AIRLIGHT_FUNCTION
+FN Float sin(Float a) { return Float::of(fast_sin(a.v, 0.0)); }
+FN Float cos(Float a) { return Float::of(fast_sin(a.v, 1.0)); }
+FN Float exponent_of(Float a) { return Float::of(split_exponent(a.v)); }
+FN Float mantissa_of(Float a) { return Float::of(split_mantissa(a.v)); }
+FN Vec4 exp(Vec4 a) { return {exp(a.x), exp(a.y), exp(a.z), exp(a.w)}; }
+FN Vec4 abs(Vec4 a) { return {abs(a.x), abs(a.y), abs(a.z), abs(a.w)}; }
+FN Scalar sqrt(Scalar a) { return Scalar(double(std::sqrt(a.v))); }
+FN Float max(Float a, Float b) { return Float::of(larger(a.v, b.v)); }
+FN Float min(Float a, Float b) { return Float::of(smaller(a.v, b.v)); }
+FN Scalar max(Scalar a, Scalar b) { return Scalar(double(larger(a.v, b.v))); }
+FN Scalar min(Scalar a, Scalar b) { return Scalar(double(smaller(a.v, b.v))); }
+FN Vec4 max(Vec4 a, Float b) { return {max(a.x, b), max(a.y, b), max(a.z, b), max(a.w, b)}; }
+FN Vec4 min(Vec4 a, Float b) { return {min(a.x, b), min(a.y, b), min(a.z, b), min(a.w, b)}; }
+FN Float clamp(Float x, Float low, Float high) { return min(max(x, low), high); }
+FN Vec4 clamp(Vec4 x, Float low, Float high) { return min(max(x, low), high); }
+FN Float select(Bool c, Float a, Float b) { return Float::of(pick(c.v, a.v, b.v)); }
+FN Vec2 select(Bool c, Vec2 a, Vec2 b) { return {select(c, a.x, b.x), select(c, a.y, b.y)}; }
+FN Vec3 select(Bool c, Vec3 a, Vec3 b) { return {select(c, a.x, b.x), select(c, a.y, b.y), select(c, a.z, b.z)}; }
+FN Vec4 select(Bool c, Vec4 a, Vec4 b) { return {select(c, a.x, b.x), select(c, a.y, b.y), select(c, a.z, b.z), select(c, a.w, b.w)}; }
+FN Float mix(Float a, Float b, Float t) { return a + (b - a) * t; }
+FN Vec2 mix(Vec2 a, Vec2 b, Float t) { return a + (b - a) * t; }
+FN Vec3 mix(Vec3 a, Vec3 b, Float t) { return a + (b - a) * t; }
+FN Vec4 mix(Vec4 a, Vec4 b, Float t) { return a + (b - a) * t; }
+FN Float dot(Vec2 a, Vec2 b) { return a.x * b.x + a.y * b.y; }
+FN Float dot(Vec3 a, Vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+FN Float dot(Vec4 a, Vec4 b) { return a.x * b.x + a.y * b.y + (a.z * b.z + a.w * b.w); }
+FN Vec2 xy(Vec4 v) { return {v.x, v.y}; }
+FN Vec3 xyz(Vec4 v) { return {v.x, v.y, v.z}; }
+
+// A table is interleaved RGBA. One 16-byte load per lane and a transpose give four channels; xsimd 8.1's gather is a
+// scalar loop, and even the hardware's gather of one channel at a time costs twice as much.
+struct Table2 { const Element* texels; int width, height; };
+struct Table3 { const Element* texels; int width, height, depth; };
+FN Vec4 texel(const Element* t, Element i) {
+  const Element* p = t + 4 * static_cast<std::ptrdiff_t>(i);
+  return {Float::of(Rep(p[0])), Float::of(Rep(p[1])), Float::of(Rep(p[2])), Float::of(Rep(p[3]))};
+}
+template <class A> FN Vec4 texel(const float* t, xsimd::batch<float, A> i) {
+  alignas(64) std::int32_t at[lanes];
+  xsimd::to_int(i).store_aligned(at);
+#if defined(__AVX512F__)
+  __m512 q[4];
+  for (int k = 0; k < 4; ++k) {
+    q[k] = _mm512_castps128_ps512(_mm_loadu_ps(t + 4 * at[k]));
+    q[k] = _mm512_insertf32x4(q[k], _mm_loadu_ps(t + 4 * at[k + 4]), 1);
+    q[k] = _mm512_insertf32x4(q[k], _mm_loadu_ps(t + 4 * at[k + 8]), 2);
+    q[k] = _mm512_insertf32x4(q[k], _mm_loadu_ps(t + 4 * at[k + 12]), 3);
+  }
+  const __m512 a = _mm512_unpacklo_ps(q[0], q[1]), b = _mm512_unpackhi_ps(q[0], q[1]);
+  const __m512 c = _mm512_unpacklo_ps(q[2], q[3]), d = _mm512_unpackhi_ps(q[2], q[3]);
+  return {Float::of(_mm512_shuffle_ps(a, c, 0x44)), Float::of(_mm512_shuffle_ps(a, c, 0xee)),
+          Float::of(_mm512_shuffle_ps(b, d, 0x44)), Float::of(_mm512_shuffle_ps(b, d, 0xee))};
+#elif defined(__AVX2__)
+  __m256 q[4];
+  for (int k = 0; k < 4; ++k)
+    q[k] = _mm256_insertf128_ps(_mm256_castps128_ps256(_mm_loadu_ps(t + 4 * at[k])), _mm_loadu_ps(t + 4 * at[k + 4]), 1);
+  const __m256 a = _mm256_unpacklo_ps(q[0], q[1]), b = _mm256_unpackhi_ps(q[0], q[1]);
+  const __m256 c = _mm256_unpacklo_ps(q[2], q[3]), d = _mm256_unpackhi_ps(q[2], q[3]);
+  return {Float::of(_mm256_shuffle_ps(a, c, 0x44)), Float::of(_mm256_shuffle_ps(a, c, 0xee)),
+          Float::of(_mm256_shuffle_ps(b, d, 0x44)), Float::of(_mm256_shuffle_ps(b, d, 0xee))};
+#else
+  alignas(64) float q[4][lanes];
+  for (int k = 0; k < lanes; ++k)
+    for (int j = 0; j < 4; ++j) q[j][k] = t[4 * at[k] + j];
+  using B = xsimd::batch<float, A>;
+  return {Float::of(B::load_aligned(q[0])), Float::of(B::load_aligned(q[1])), Float::of(B::load_aligned(q[2])), Float::of(B::load_aligned(q[3]))};
+#endif
+}
+// Addresses: max comes first, so that a NaN becomes texel 0. Exact in float below 2^24 texels a slice.
+/// Texel at whole-numbered column and row, clamped to the table.
+FN Vec4 fetch(const Table2& t, Float column, Float row) {
+  const Float x = floor(clamp(column, 0.0, double(t.width - 1))), y = floor(clamp(row, 0.0, double(t.height - 1)));
+  return texel(t.texels, (y * double(t.width) + x).v);
+}
+FN Scalar width_of(const Table2& t) { return Scalar(double(t.width)); }
+FN Scalar height_of(const Table2& t) { return Scalar(double(t.height)); }
+/// Texel at the same place of another table of the same shape, as a pass's own coordinates name it.
+FN Vec4 fetch_same(const Table2& t, Vec2 uv) {
+  const Float x = clamp(floor(uv.x * double(t.width)), 0.0, double(t.width - 1)), y = clamp(floor(uv.y * double(t.height)), 0.0, double(t.height - 1));
+  return texel(t.texels, (y * double(t.width) + x).v);
+}
+/// Texel at a uniform column and row: the same for all lanes.
+FN Scalar4 fetch_scalar(const Table2& t, int column, int row) {
+  const Element* p = t.texels + 4 * (std::ptrdiff_t(t.width) * row + column);
+  return {double(p[0]), double(p[1]), double(p[2]), double(p[3])};
+}
+/// Cells of two texels each, their values at the cell's lower and upper end: linear inside a cell, jumps between cells are kept.
+/// @param x  which cell, and how far into it: 0 .. width / 2
+FN Vec4 lookup_cell(const Table2& t, Float x, int row) {
+  const Float y = clamp(x, 0.0, 0.5 * double(t.width));
+  const Float i = min(floor(y), 0.5 * double(t.width) - 1.0);
+  const Element* p = t.texels + 4 * std::ptrdiff_t(t.width) * row;
+  const Float at = i + i;
+  return mix(texel(p, at.v), texel(p + 4, at.v), y - i);
+}
+/// Linear along a row whose first and last texel stand at u = 0 and u = 1.
+FN Vec4 lookup_row(const Table2& t, Float u, int row) {
+  const Float x = clamp(u, 0.0, 1.0) * double(t.width - 1);
+  const Float i = min(floor(x), double(t.width - 2));
+  const Element* p = t.texels + 4 * std::ptrdiff_t(t.width) * row;
+  return mix(texel(p, i.v), texel(p + 4, i.v), x - i);
+}
+FN Vec4 bilinear(const Element* p, int width, int height, Float x, Float y) {
+  const Float i = min(floor(x), double(width - 2)), j = min(floor(y), double(height - 2));
+  const Float at = j * double(width) + i;
+  const std::ptrdiff_t row = 4 * std::ptrdiff_t(width);
+  const Vec4 a = mix(texel(p, at.v), texel(p + 4, at.v), x - i);
+  const Vec4 b = mix(texel(p + row, at.v), texel(p + row + 4, at.v), x - i);
+  return mix(a, b, y - j);
+}
+/// Bilinear, texel centres at (i + 0.5) / size, clamped to the edge. Both sizes at least 2.
+FN Vec4 lookup(const Table2& t, Vec2 uv) {
+  return bilinear(t.texels, t.width, t.height, clamp(uv.x * double(t.width) - 0.5, 0.0, double(t.width - 1)),
+                  clamp(uv.y * double(t.height) - 0.5, 0.0, double(t.height - 1)));
+}
+/// Trilinear, texel centres at (i + 0.5) / size, clamped to the edge. All sizes at least 2.
+FN Vec4 lookup(const Table3& t, Vec3 uvw) {
+  const Float x = clamp(uvw.x * double(t.width) - 0.5, 0.0, double(t.width - 1));
+  const Float y = clamp(uvw.y * double(t.height) - 0.5, 0.0, double(t.height - 1));
+  const Float z = clamp(uvw.z * double(t.depth) - 0.5, 0.0, double(t.depth - 1));
+  const Float i = min(floor(x), double(t.width - 2)), j = min(floor(y), double(t.height - 2)), k = min(floor(z), double(t.depth - 2));
+  const Float at = (k * double(t.height) + j) * double(t.width) + i;
+  const std::ptrdiff_t row = 4 * std::ptrdiff_t(t.width), slice = row * t.height;
+  const Element* p = t.texels;
+  const Vec4 a = mix(mix(texel(p, at.v), texel(p + 4, at.v), x - i), mix(texel(p + row, at.v), texel(p + row + 4, at.v), x - i), y - j);
+  p = p + slice;
+  const Vec4 b = mix(mix(texel(p, at.v), texel(p + 4, at.v), x - i), mix(texel(p + row, at.v), texel(p + row + 4, at.v), x - i), y - j);
+  return mix(a, b, z - k);
+}
+}  // namespace airlight::AIRLIGHT_TARGET

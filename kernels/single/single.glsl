@@ -1,0 +1,38 @@
+#pragma once
+#include "core/radiance.glsl"
+// Light scattered or reflected exactly once, by numerical integration along each ray. Any planet, any air.
+// A ray is a texel of two tables: `eyes` (altitude, view) and `suns` (distance, direction of the Sun).
+
+/// The air's radiance along rays [W m^-2 sr^-1 nm^-1]; the ray's transmittance; the ground's radiance, attenuated.
+FN Vec4 single_rays_pass(IN(Air) air, Table2 zones, Table2 profile, Table2 phases, Table2 sunlight, Table2 eyes, Table2 suns, Vec2 uv, OUT(Vec4) transmittance, OUT(Vec4) ground) {
+  Vec4 eye = fetch_same(eyes, uv);
+  Vec4 at = fetch_same(suns, uv);
+  Vec3 view = Vec3(eye.y, eye.z, eye.w);
+  Vec3 sun = Vec3(at.y, at.z, at.w);
+  Vec4 light = ray_light(air, 1, zones, profile, phases, sunlight, sunlight, sunlight, eye.x, view, sun, at.x, transmittance, ground);
+  ground = ground * Vec4(air.solar_irradiance);
+  transmittance = ray_transmittance(air, zones, profile, eye.x, view, at.x);
+  return light * Vec4(air.solar_irradiance);
+}
+
+/// Sunlight normal to the beam [W m^-2 nm^-1]; skylight on a horizontal plane.
+FN Vec4 single_irradiance_pass(IN(Air) air, Table2 zones, Table2 profile, Table2 phases, Table2 sunlight, Table2 eyes, Table2 suns, Vec2 uv, OUT(Vec4) sky) {
+  Vec4 eye = fetch_same(eyes, uv);
+  Vec4 at = fetch_same(suns, uv);
+  Vec3 sun = Vec3(at.y, at.z, at.w);
+  sky = sky_irradiance_at(air, 1, zones, profile, phases, sunlight, sunlight, eye.x, sun) * Vec4(air.solar_irradiance);
+  return sunlight_from(air, sunlight, eye.x, sun) * Vec4(air.solar_irradiance);
+}
+
+/// A picture, linear sRGB [cd/m^2].
+FN Vec4 single_picture_pass(IN(Air) air, IN(Camera) camera, IN(Observer) observer, Table2 zones, Table2 profile, Table2 phases, Table2 sunlight, Table2 optical_depth, Vec2 uv) {
+  Float inside = Float(0.0);
+  Vec3 view = camera_view(camera, uv, inside);
+  Vec3 sun = Vec3(observer.sun.x, observer.sun.y, observer.sun.z);
+  Vec4 transmittance = Vec4(0.0);
+  Vec4 ground = Vec4(0.0);
+  Vec4 light = ray_light(air, 1, zones, profile, phases, sunlight, sunlight, sunlight, Float(observer.altitude), view, sun, Float(1.0e30), transmittance, ground);
+  light = light + ground;
+  if (observer.disc > 0.5) light = light + disc_radiance(air, observer, optical_depth, view, one_minus_cos(view, sun));
+  return display_colour(observer, light * Vec4(air.solar_irradiance)) * inside;
+}
