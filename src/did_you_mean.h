@@ -29,8 +29,8 @@ inline std::size_t edit_distance(std::string_view from, std::string_view to) {
 template <typename Names>
 std::string did_you_mean(std::string_view wrong, const Names& known) {
   std::string_view nearest;
-  // A third of the letters may be wrong: enough for slips of the finger, too little to turn "mars" into "earth".
-  std::size_t best = std::min<std::size_t>(wrong.size(), 64) / 3 + 1;
+  // A third of the letters may be wrong, but not all: enough for slips of the finger, too little to turn "mars" into "earth".
+  std::size_t best = std::min(wrong.size() / 3 + 1, std::max<std::size_t>(wrong.size(), 1) - 1);
   std::string all;
   for (const std::string_view name : known) {
     all += (all.empty() ? "" : ", ") + std::string(name);

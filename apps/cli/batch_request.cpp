@@ -83,9 +83,7 @@ void read(const json& object, BatchRequest& request) {
 BatchRequest parse_batch_request(std::string_view text, const Topic& otherwise) {
   BatchRequest request{nullptr, otherwise, {}, {}};
   try {
-    const json object = parse_object(text);
-    request.id = line_id(object);
-    read(object, request);
+    read(parse_object(text, request.id), request);
   } catch (const InputError& error) {
     request.error = error.what();
   }

@@ -128,9 +128,7 @@ std::string type_name(KernelType type, std::string_view struct_name) {
 EvalRequest parse_eval_request(std::string_view text) {
   EvalRequest request;
   try {
-    const json object = parse_object(text);
-    request.id = line_id(object);
-    read(object, request);
+    read(parse_object(text, request.id), request);
   } catch (const InputError& error) {
     request.error = error.what();
   }

@@ -1,12 +1,24 @@
 #include "interrupt.h"
 
+#include <unistd.h>
+
 #include <csignal>
 #include <initializer_list>
+
+#include "image/output_file.h"
 
 namespace airlight::cli {
 namespace {
 volatile std::sig_atomic_t flag = 0;
-void on_signal(int) { flag = 1; }
+
+void on_signal(int) {
+  if (flag) {
+    OutputFile::remove_all();
+    _exit(130);
+  }
+  flag = 1;
+}
+
 }  // namespace
 
 void catch_interrupts() {

@@ -9,7 +9,8 @@ struct Interrupted : std::exception {
   const char* what() const noexcept override { return "interrupted"; }
 };
 
-/// From now on SIGINT, SIGTERM and SIGHUP only set a flag.
+/// From now on SIGINT, SIGTERM and SIGHUP set a flag; a second one ends the program on the spot, temporary files
+/// removed.
 void catch_interrupts();
 bool interrupted();
 /// @throws Interrupted when the flag is set.

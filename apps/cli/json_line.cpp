@@ -23,33 +23,35 @@ std::string plain_message(const json::exception& error) {
 
 }  // namespace
 
-json parse_object(std::string_view text) {
+json parse_object(std::string_view text, json& id) {
   static constexpr int deepest = 8;
-  // A key given twice would silently keep its last value; the parser's callback is the only place that sees both.
+  // The parser's callback is the only place that sees a key given twice (the object silently keeps the last value), and
+  // the id of a line that breaks further on.
   std::vector<std::set<std::string>> keys;
-  const auto watch = [&keys](int depth, json::parse_event_t event, json& value) {
+  bool id_follows = false;
+  const auto watch = [&](int depth, json::parse_event_t event, json& value) {
     if (depth > deepest) throw InputError(fmt::format("nested deeper than {}", deepest));
     if (event == json::parse_event_t::object_start) keys.emplace_back();
     if (event == json::parse_event_t::object_end) keys.pop_back();
-    if (event == json::parse_event_t::key && !keys.back().insert(value.get<std::string>()).second)
-      throw InputError(fmt::format("{}: given twice", value.get<std::string>().substr(0, longest_excerpt)));
+    if (event == json::parse_event_t::value && id_follows && (value.is_string() || value.is_number())) id = value;
+    id_follows = false;
+    if (event == json::parse_event_t::key) {
+      const auto& key = value.get_ref<const std::string&>();
+      if (!keys.back().insert(key).second)
+        throw InputError(fmt::format("{}: given twice", key.substr(0, longest_excerpt)));
+      id_follows = keys.size() == 1 && key == "id";
+    }
     return true;
   };
   try {
     json object = json::parse(text, watch);
     if (!object.is_object()) throw InputError("expected a JSON object, {\"id\":…}");
+    if (const auto given = object.find("id"); given != object.end() && *given != id)
+      throw InputError(fmt::format("id = {}: expected a string or a number", excerpt(*given)));
     return object;
   } catch (const json::exception& error) {
     throw InputError(plain_message(error));
   }
-}
-
-json line_id(const json& object) {
-  const auto found = object.find("id");
-  if (found == object.end()) return nullptr;
-  if (!found->is_string() && !found->is_number() && !found->is_null())
-    throw InputError("id: expected a string or a number");
-  return *found;
 }
 
 const json* Fields::find(const std::string& key) {

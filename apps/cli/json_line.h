@@ -13,11 +13,9 @@
 namespace airlight::cli {
 
 /// Parses one JSON object. Refused: anything else, bad UTF-8, numbers beyond double's range, a key given twice, nesting
-/// deeper than 8. @throws InputError without the line's own number.
-nlohmann::json parse_object(std::string_view text);
-
-/// The "id" of a line to be echoed: a string, a number or null (also when it is missing). @throws InputError.
-nlohmann::json line_id(const nlohmann::json& object);
+/// deeper than 8, an "id" that is no string, number or null. @throws InputError without the line's own number.
+/// @param id  becomes the line's "id", also when the trouble comes after it
+nlohmann::json parse_object(std::string_view text, nlohmann::json& id);
 
 /// The keys of an object, taken one by one; what is left over at the end is an error.
 class Fields {

@@ -97,8 +97,9 @@ void answer_lines(
   for (;;) {
     const auto lines = reader.next(chunk);
     if (lines.empty()) break;
-    for (const std::string& text : answer(reader.name(), lines)) out.write(text);
-    out.flush();
+    std::string text;
+    for (const std::string& line : answer(reader.name(), lines)) text += line;
+    out.write(text);
     progress.show(reader.fraction());
   }
   out.finish();

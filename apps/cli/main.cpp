@@ -1,6 +1,7 @@
 #include <csignal>
 #include <cstdio>
 #include <exception>
+#include <new>
 
 #include "airlight/error.h"
 #include "commands.h"
@@ -17,7 +18,7 @@ int run(int argc, char** argv) {
   using namespace airlight::cli;
   CLI::App app{"The light of the sky: pictures and numbers in absolute units.", "airlight"};
   app.set_version_flag("--version", version());
-  app.require_subcommand(1);
+  app.require_subcommand(0, 1);  // an unknown word is then named in the message; none at all shows the help
   app.get_formatter()->column_width(38);
   Command chosen;
   add_sky(app, chosen);
@@ -31,7 +32,9 @@ int run(int argc, char** argv) {
       "interrupted.");
   try {
     app.parse(argc, argv);
-    return chosen();
+    if (chosen) return chosen();
+    std::fputs(app.help().c_str(), stderr);
+    return bad_input;
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? ok : bad_input;
   } catch (const Interrupted&) {
@@ -39,6 +42,9 @@ int run(int argc, char** argv) {
     return interrupted_code;
   } catch (const airlight::InputError& error) {
     return complain(error, bad_input);
+  } catch (const std::bad_alloc&) {
+    std::fprintf(stderr, "airlight: not enough memory\n");
+    return failed;
   } catch (const std::exception& error) {
     // A signal that cut a blocking call short shows up as that call's failure.
     return complain(error, interrupted() ? interrupted_code : failed);
@@ -48,9 +54,7 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  // A full disk, a file size limit or a reader that went away are errors of a write, which are reported and cleaned up
-  // after; the signals would end the program on the spot and leave a temporary file behind.
-  std::signal(SIGPIPE, SIG_IGN);
+  // A file size limit is then an error of the write, with a message.
   std::signal(SIGXFSZ, SIG_IGN);
   airlight::cli::catch_interrupts();
   return run(argc, argv);

@@ -4,6 +4,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <type_traits>
 
 #include "airlight/error.h"
 
@@ -25,6 +26,12 @@ double parse_number(std::string_view text, std::string_view name, const Interval
   return value;
 }
 
+int parse_whole(std::string_view text, std::string_view name, const Interval& interval) {
+  const double value = parse_number(text, name, interval);
+  if (value != std::floor(value)) throw InputError(fmt::format("{} = {}: {}, whole", name, text, expected(interval)));
+  return static_cast<int>(value);
+}
+
 void check_number(double value, std::string_view name, const Interval& interval) {
   if (!(value >= interval.low && value <= interval.high))
     throw InputError(fmt::format("{} = {}: {}", name, value, expected(interval)));
@@ -35,7 +42,12 @@ namespace {
 template <typename Number>
 CLI::Option* add(CLI::App& app, const std::string& name, Number& value, const Interval& interval,
                  const std::string& help) {
-  const auto read = [&value, name, interval](const std::string& text) { value = parse_number(text, name, interval); };
+  const auto read = [&value, name, interval](const std::string& text) {
+    if constexpr (std::is_same_v<Number, int>)
+      value = parse_whole(text, name, interval);
+    else
+      value = parse_number(text, name, interval);
+  };
   const std::string range = fmt::format("{:g} .. {:g}", interval.low, interval.high);
   return app
       .add_option_function<std::string>(
@@ -48,6 +60,11 @@ CLI::Option* add(CLI::App& app, const std::string& name, Number& value, const In
 CLI::Option* add_number(CLI::App& app, const std::string& name, double& value, Interval interval,
                         const std::string& help) {
   return add(app, name, value, interval, fmt::format("{} (default {:g})", help, value));
+}
+
+CLI::Option* add_number(CLI::App& app, const std::string& name, int& value, Interval interval,
+                        const std::string& help) {
+  return add(app, name, value, interval, fmt::format("{} (default {})", help, value));
 }
 
 CLI::Option* add_number(CLI::App& app, const std::string& name, std::optional<double>& value, Interval interval,

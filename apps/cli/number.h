@@ -19,12 +19,15 @@ std::string expected(const Interval& interval);
 /// @param name  for the message: an option or a key
 /// @throws InputError "--altitude = nan: expected -20000 .. 1e+12 m"
 double parse_number(std::string_view text, std::string_view name, const Interval& interval);
+/// The same for whole numbers.
+int parse_whole(std::string_view text, std::string_view name, const Interval& interval);
 /// @throws InputError in the same form.
 void check_number(double value, std::string_view name, const Interval& interval);
 
 /// Adds an option that takes one number; its range and unit go into the help text.
 CLI::Option* add_number(CLI::App& app, const std::string& name, double& value, Interval interval,
                         const std::string& help);
+CLI::Option* add_number(CLI::App& app, const std::string& name, int& value, Interval interval, const std::string& help);
 CLI::Option* add_number(CLI::App& app, const std::string& name, std::optional<double>& value, Interval interval,
                         const std::string& help);
 

@@ -78,29 +78,28 @@ void SunOptions::add_to(CLI::App& app) {
 }
 
 SunPlace SunOptions::resolve() const {
-  SunPlace sun;
-  Metadata origin;
   if (!place.empty()) {
     const Time when = parse_time(time);
     const SunPosition position = sun_position(parse_place(place), when);
     const double lift = refraction ? airlight::refraction(position.elevation) : 0;
-    sun.azimuth = position.azimuth / degree;
-    sun.elevation = (position.elevation + lift) / degree;
-    sun.distance = position.distance;
-    origin = {{"place", place},
-              {"time", format_time(when)},
-              {"refraction", refraction ? "standard air, lifts the sun" : "none"},
-              {"sun distance [au]", sun.distance},
-              {"sun irradiance", "scaled by 1 / distance^2"}};
-  } else if (elevation) {
-    sun.elevation = *elevation;
-    sun.azimuth = azimuth.value_or(0);
-  } else {
-    throw InputError("where does the sun stand? Give --place and --time, or --sun-elevation [degrees, -90 .. 90]");
+    return {position.azimuth / degree, (position.elevation + lift) / degree,
+            position.distance,         place,
+            format_time(when),         refraction};
   }
-  sun.said = {{"sun azimuth [degrees]", sun.azimuth}, {"sun elevation [degrees]", sun.elevation}};
-  sun.said.insert(sun.said.end(), origin.begin(), origin.end());
-  return sun;
+  if (!elevation)
+    throw InputError("where does the sun stand? Give --place and --time, or --sun-elevation [degrees, -90 .. 90]");
+  return {azimuth.value_or(0), *elevation, 1, {}, {}, false};
+}
+
+void SunPlace::describe(Metadata& lines) const {
+  lines.push_back({"sun azimuth [degrees]", azimuth});
+  lines.push_back({"sun elevation [degrees]", elevation});
+  lines.push_back({"refraction", refraction ? "lifts the sun as standard air does" : "none"});
+  if (place.empty()) return;
+  lines.push_back({"place", place});
+  lines.push_back({"time", time});
+  lines.push_back({"sun distance [au]", distance});
+  lines.push_back({"sun irradiance", "scaled by 1 / distance^2"});
 }
 
 Direction SunPlace::direction() const { return airlight::direction(azimuth * degree, elevation * degree); }

@@ -31,11 +31,14 @@ struct AirOptions {
 struct SunPlace {
   double azimuth = 0, elevation = 0;  ///< [degrees]; refraction's lift included where asked for
   double distance = 1;                ///< [astronomical units]; 1 unless place and time say otherwise
-  Metadata said;                      ///< "sun azimuth", ..., for metadata and tables
+  std::string place, time;            ///< empty: angles were given
+  bool refraction = false;
 
   Direction direction() const;
   /// The sun of this distance: irradiance falls with its square, the disc's radius with it.
   void apply_distance(Atmosphere& atmosphere) const;
+  /// Adds lines for a picture's metadata or a table.
+  void describe(Metadata& lines) const;
 };
 
 /// --place and --time, with --refraction; or --sun-elevation and --sun-azimuth.

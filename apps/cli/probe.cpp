@@ -19,7 +19,8 @@ struct ProbeOptions {
   AirOptions air;
   SunOptions sun;
   MachineOptions machine;
-  double altitude = 0, view_zenith = 0, view_azimuth = 0, max_order = 0;
+  double altitude = 0, view_zenith = 0, view_azimuth = 0;
+  int max_order = 0;
   std::optional<double> distance;
   std::string wavelengths = "400:700:50", batch, output = "-";
   bool json = false;
@@ -56,12 +57,12 @@ Report make_report(const ProbeOptions& options) {
   ray.sun = report.sun.direction();
   if (options.distance) ray.distance = *options.distance;
   const std::span rays(&ray, 1);
-  const int order = static_cast<int>(options.max_order);
   for (const Asked& asked : all_asked())
     report.rows.push_back(
-        {&asked, answer(sky, asked, rays, asked.photometric ? std::span<const double>() : report.wavelengths, order)});
+        {&asked, answer(sky, asked, rays, asked.photometric ? std::span<const double>() : report.wavelengths,
+                        options.max_order)});
   const auto eye = photometric_wavelengths();
-  report.xyz = spectrum_to_xyz(eye, answer(sky, asked("radiance"), rays, eye, order));
+  report.xyz = spectrum_to_xyz(eye, answer(sky, asked("radiance"), rays, eye, options.max_order));
   return report;
 }
 
@@ -76,7 +77,9 @@ std::string as_table(const Report& report, const ProbeOptions& options) {
   text += fmt::format("view        zenith {:g} degrees, azimuth {:g} degrees, {}\n", options.view_zenith,
                       options.view_azimuth,
                       options.distance ? fmt::format("up to {:g} m", *options.distance) : "to space or the ground");
-  for (const auto& [name, value] : report.sun.said)
+  Metadata sun;
+  report.sun.describe(sun);
+  for (const auto& [name, value] : sun)
     text += std::visit([&name = name](const auto& said) { return fmt::format("{:<24}{}\n", name, said); }, value);
 
   constexpr int column = 17;
@@ -113,14 +116,18 @@ std::string as_json(const Report& report, const ProbeOptions& options) {
                               {"distance", nullptr},
                               {"max_order", options.max_order}};
   if (options.distance) json["distance"] = *options.distance;
-  for (const auto& [name, value] : report.sun.said)
-    std::visit([&](const auto& said) { json["sun"][name] = said; }, value);
+  json["sun_azimuth"] = report.sun.azimuth;
+  json["sun_elevation"] = report.sun.elevation;
+  json["refraction"] = report.sun.refraction;
+  if (!report.sun.place.empty()) {
+    json["place"] = report.sun.place;
+    json["time"] = report.sun.time;
+    json["sun_distance"] = report.sun.distance;
+  }
   json["wavelengths"] = report.wavelengths;
-  nlohmann::ordered_json units{{"altitude", "m"},
-                               {"view_zenith", "degrees"},
-                               {"view_azimuth", "degrees"},
-                               {"distance", "m"},
-                               {"wavelengths", "nm"}};
+  nlohmann::ordered_json units{{"altitude", "m"},      {"view_zenith", "degrees"}, {"view_azimuth", "degrees"},
+                               {"distance", "m"},      {"sun_azimuth", "degrees"}, {"sun_elevation", "degrees"},
+                               {"sun_distance", "au"}, {"wavelengths", "nm"}};
   for (const auto& [asked, values] : report.rows) {
     if (asked->photometric)
       json[asked->name] = values[0];

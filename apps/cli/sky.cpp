@@ -55,12 +55,6 @@ std::size_t choose(std::string_view option, std::string_view text, const std::ve
   throw InputError(fmt::format("{} = {}: unknown{}", option, text, did_you_mean(text, names)));
 }
 
-int parse_pixels(std::string_view text, const Interval& legal) {
-  const double pixels = parse_number(text, "--size", legal);
-  if (pixels != std::floor(pixels)) throw InputError(fmt::format("--size = {}: expected a whole number", text));
-  return static_cast<int>(pixels);
-}
-
 Camera make_camera(const SkyOptions& options) {
   std::vector<std::string_view> names;
   for (const ProjectionChoice& projection : projections) names.push_back(projection.name);
@@ -70,11 +64,11 @@ Camera make_camera(const SkyOptions& options) {
   Camera camera;
   camera.projection = choice.projection;
   const std::size_t cross = options.size.find('x');
-  camera.width =
-      options.size.empty() ? choice.width : parse_pixels(std::string_view(options.size).substr(0, cross), legal);
+  camera.width = options.size.empty() ? choice.width
+                                      : parse_whole(std::string_view(options.size).substr(0, cross), "--size", legal);
   camera.height = cross == std::string::npos
                       ? std::max(1, static_cast<int>(std::lround(camera.width * choice.height_over_width)))
-                      : parse_pixels(std::string_view(options.size).substr(cross + 1), legal);
+                      : parse_whole(std::string_view(options.size).substr(cross + 1), "--size", legal);
   if (cube && camera.height != camera.width)
     throw InputError(fmt::format("--size = {}: a cube's faces are square; give one number", options.size));
   const double field_of_view = options.field_of_view.value_or(choice.field_of_view);
@@ -125,7 +119,7 @@ Metadata make_metadata(const SkyOptions& options, const Sky& sky, const Camera& 
                     {"engine", describe(sky.engine())},
                     {"units", "cd m-2, linear sRGB primaries"},
                     {"wavelengths [nm]", list}};
-  metadata.insert(metadata.end(), sun.said.begin(), sun.said.end());
+  sun.describe(metadata);
   metadata.push_back({"sun disc", options.no_sun ? "left out" : "included"});
   metadata.push_back({"projection", options.projection});
   if (camera.projection == Projection::cube)

@@ -3,39 +3,26 @@
 #include <fmt/core.h>
 
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
-#include <utility>
 
 #include "airlight/error.h"
 
 namespace airlight::cli {
 
-TextOutput::TextOutput(const std::string& path) : name_(path == "-" ? "standard output" : path), stream_(stdout) {
-  if (path == "-") return;
-  file_.emplace(path);
-  stream_ = std::fopen(file_->temporary().c_str(), "wb");
-  if (!stream_) throw WorkError(fmt::format("{}: {}", name_, std::strerror(errno)));
+TextOutput::TextOutput(const std::string& path) {
+  if (path != "-") file_.emplace(path);
 }
-
-TextOutput::~TextOutput() {
-  if (file_ && stream_) std::fclose(stream_);
-}
-
-void TextOutput::fail() const { throw WorkError(fmt::format("{}: {}", name_, std::strerror(errno))); }
 
 void TextOutput::write(std::string_view text) {
-  if (std::fwrite(text.data(), 1, text.size(), stream_) != text.size()) fail();
-}
-
-void TextOutput::flush() {
-  if (std::fflush(stream_) != 0) fail();
+  if (file_)
+    file_->write(text);
+  else if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
+    throw WorkError(fmt::format("standard output: {}", std::strerror(errno)));
 }
 
 void TextOutput::finish() {
-  flush();
-  if (!file_) return;
-  if (std::fclose(std::exchange(stream_, nullptr)) != 0) fail();
-  file_->commit();
+  if (file_) file_->commit();
 }
 
 void write_text(const std::string& path, std::string_view text) {

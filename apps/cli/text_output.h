@@ -1,6 +1,5 @@
 // Text that a command answers with: to standard output ("-"), or to a file that appears whole or not at all.
 #pragma once
-#include <cstdio>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -13,23 +12,14 @@ class TextOutput {
  public:
   /// @throws InputError where the file cannot be made.
   explicit TextOutput(const std::string& path);
-  ~TextOutput();
-  TextOutput(const TextOutput&) = delete;
-  TextOutput& operator=(const TextOutput&) = delete;
 
-  /// @throws WorkError naming the file and the reason.
+  /// To standard output at once, so that whoever reads it can go on. @throws WorkError naming the file and the reason.
   void write(std::string_view text);
-  /// What was written so far can be read at the other end of a pipe.
-  void flush();
   /// Completes the file. @throws WorkError.
   void finish();
 
  private:
-  [[noreturn]] void fail() const;
-
-  std::string name_;
-  std::optional<OutputFile> file_;
-  std::FILE* stream_;
+  std::optional<OutputFile> file_;  ///< none: standard output
 };
 
 /// Writes the whole text.
