@@ -1,0 +1,118 @@
+#include "airlight/engine.h"
+
+#include <algorithm>
+#include <bit>
+#include <cassert>
+
+#include "airlight/error.h"
+#include "engine/cpu/cpu_engine.h"
+#include "engine/kernel_index.h"
+#ifdef AIRLIGHT_HAS_GL
+#include "engine/gl/gl_engine.h"
+#endif
+
+namespace airlight {
+namespace {
+
+// Content hash of 64-bit words: multiply and fold, finished as in MurmurHash3. Not cryptographic: it tells results apart.
+class Hash {
+ public:
+  void add(std::uint64_t word) {
+    word *= 0x87c37b91114253d5u;
+    word = std::rotl(word, 31) * 0x4cf5ad432745937fu;
+    state_ = std::rotl(state_ ^ word, 27) * 5 + 0x52dce729;
+  }
+  void add(std::span<const double> numbers) {
+    add(numbers.size());
+    for (double v : numbers) add(std::bit_cast<std::uint64_t>(v));
+  }
+  void add(std::string_view text) {
+    add(text.size());
+    for (char c : text) add(static_cast<unsigned char>(c));
+  }
+  void add(Shape s) {
+    add(std::uint64_t(s.width));
+    add(std::uint64_t(s.height));
+    add(std::uint64_t(s.depth));
+  }
+  std::uint64_t value() const {
+    std::uint64_t h = state_;
+    h = (h ^ (h >> 33)) * 0xff51afd7ed558ccdu;
+    h = (h ^ (h >> 33)) * 0xc4ceb9fe1a85ec53u;
+    return h ^ (h >> 33);
+  }
+
+ private:
+  std::uint64_t state_ = 0x9e3779b97f4a7c15u;
+};
+
+// Tables of a moving sun come and go; enough for the tables of 40 wavelengths of a few atmospheres (about 10 MB a quad).
+constexpr std::size_t kept_results = 256;
+
+}  // namespace
+
+Table Engine::upload(Shape shape, std::span<const double> rgba) {
+  assert(rgba.size() == 4 * shape.texels());
+  Hash hash;
+  hash.add("upload");
+  hash.add(shape);
+  hash.add(rgba);
+  Kept& kept = kept_[hash.value()];
+  kept.used = ++clock_;
+  if (kept.tables.empty()) kept.tables = {Table{shape, hash.value(), make_table(shape, rgba)}};
+  return kept.tables.front();
+}
+
+std::vector<Table> Engine::run(const PassInfo& pass, std::span<const double> parameters, std::span<const Table> inputs, Shape shape) {
+  assert(inputs.size() == pass.tables.size());
+  Hash hash;
+  hash.add(pass.name);
+  hash.add(shape);
+  hash.add(parameters);
+  for (const Table& t : inputs) hash.add(t.hash);
+  if (const auto found = kept_.find(hash.value()); found != kept_.end()) {
+    found->second.used = ++clock_;
+    return found->second.tables;
+  }
+  std::vector<Table> tables;
+  for (auto& storage : run_pass(pass, parameters, inputs, shape)) {
+    Hash own;
+    own.add(hash.value());
+    own.add(tables.size());
+    tables.push_back({shape, own.value(), std::move(storage)});
+  }
+  const auto count = runs_.find(pass.name);
+  if (count == runs_.end()) runs_.emplace(pass.name, 1);
+  else ++count->second;
+  while (kept_.size() >= kept_results) {
+    kept_.erase(std::min_element(kept_.begin(), kept_.end(), [](const auto& a, const auto& b) { return a.second.used < b.second.used; }));
+  }
+  kept_[hash.value()] = {tables, ++clock_};
+  return tables;
+}
+
+void Engine::draw(const PassInfo& pass, std::span<const double> parameters, std::span<const Table> inputs, Shape shape, int begin, int end,
+                  std::span<float> rgba) {
+  assert(inputs.size() == pass.tables.size() && rgba.size() == 4 * std::size_t(end - begin) * std::size_t(shape.width));
+  draw_rows(pass, parameters, inputs, shape, begin, end, rgba);
+}
+
+long Engine::passes_run(std::string_view pass) const {
+  const auto found = runs_.find(pass);
+  return found == runs_.end() ? 0 : found->second;
+}
+
+std::shared_ptr<Engine> make_engine(std::string_view name) {
+  if (name == "double") return make_cpu_engine("double");
+  if (name == "simd") return make_cpu_engine("");
+  if (name == "gl") {
+#ifdef AIRLIGHT_HAS_GL
+    return make_gl_engine();
+#else
+    throw WorkError("engine gl: this build of airlight has no OpenGL (AIRLIGHT_WITH_GL=OFF)");
+#endif
+  }
+  throw InputError("unknown engine '" + std::string(name) + "': expected double, simd or gl");
+}
+
+}  // namespace airlight

@@ -1,0 +1,27 @@
+// From spectral radiance at a few wavelengths to the CIE 1931 observer and linear sRGB.
+#pragma once
+#include <array>
+#include <span>
+#include <vector>
+
+#include "airlight/atmosphere.h"
+
+namespace airlight {
+
+using Xyz = std::array<double, 3>;
+
+/// Weights [cd m^-2 / (W m^-2 sr^-1 nm^-1)] W x (X, Y, Z) such that the sum of weight times spectral radiance at the wavelengths is
+/// the colour, for light that passed this atmosphere.
+///
+/// Eight and more wavelengths: radiance relative to the sun's spectrum is taken as linear between them. Four: the least-squares fit
+/// over a family of spectra that sunlight takes on its ways through this air (direct through 0 to 40 air masses, scattered by
+/// each constituent, reflected by the ground), which the absorption bands and the sun's own lines make better than any fixed rule.
+std::vector<Xyz> colour_weights(const Atmosphere& atmosphere, std::span<const double> wavelengths);
+
+/// Linear sRGB (IEC 61966-2-1 primaries, D65) of XYZ.
+std::array<double, 3> xyz_to_srgb(const Xyz& xyz);
+
+/// The four wavelengths [nm] of real time.
+inline constexpr std::array<double, 4> realtime_quad{450, 510, 570, 630};
+
+}  // namespace airlight

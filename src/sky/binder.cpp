@@ -1,0 +1,49 @@
+#include "sky/binder.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace airlight {
+
+std::vector<double> Binder::parameters(const PassInfo& pass, Shape shape) const {
+  std::vector<double> numbers;
+  for (const ArgumentInfo& argument : pass.parameters) {
+    const auto set = structs_.find(argument.name);
+    const Fields fields = set != structs_.end()        ? set->second
+                          : argument.name == "size"    ? Fields{{"width", {double(shape.width)}}, {"height", {double(shape.height)}}}
+                          : model_.fields              ? model_.fields(argument.name, situation_)
+                                                       : Fields{};
+    for (const ArgumentInfo& field : kernel_struct(argument.struct_name).fields) {
+      const std::size_t count = std::size_t(components(field.type));
+      const auto found = fields.find(field.name);
+      if (found == fields.end() && !field.name.starts_with("pad")) {
+        throw std::logic_error("pass " + std::string(pass.name) + ": nothing sets " + std::string(argument.name) + "." + std::string(field.name));
+      }
+      for (std::size_t i = 0; i < count; ++i) numbers.push_back(found != fields.end() && i < found->second.size() ? found->second[i] : 0);
+    }
+  }
+  return numbers;
+}
+
+Table Binder::table(std::string_view argument, const PassInfo& reader) const {
+  if (const auto set = tables_.find(argument); set != tables_.end()) return set->second;
+  for (const TablePass& made : model_.tables) {
+    const PassInfo& pass = kernel_pass(made.pass);
+    const auto output = std::ranges::find(pass.outputs, argument);
+    if (output != pass.outputs.end()) return run(made.pass, made.shape)[std::size_t(output - pass.outputs.begin())];
+  }
+  throw std::logic_error("pass " + std::string(reader.name) + ": no pass of model " + std::string(model_.name) + " makes table " + std::string(argument));
+}
+
+std::vector<Table> Binder::inputs(const PassInfo& pass) const {
+  std::vector<Table> tables;
+  for (const ArgumentInfo& argument : pass.tables) tables.push_back(table(argument.name, pass));
+  return tables;
+}
+
+std::vector<Table> Binder::run(std::string_view name, Shape shape) const {
+  const PassInfo& pass = kernel_pass(name);
+  return engine_.run(pass, parameters(pass, shape), inputs(pass), shape);
+}
+
+}  // namespace airlight

@@ -1,0 +1,41 @@
+// Finds what a pass's arguments name: parameter structs and tables, by the names of the arguments.
+#pragma once
+#include <functional>
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "airlight/engine.h"
+#include "engine/kernel_index.h"
+#include "model/model.h"
+
+namespace airlight {
+
+class Binder {
+ public:
+  Binder(Engine& engine, const Model& model, const Situation& situation) : engine_(engine), model_(model), situation_(situation) {}
+
+  void set(std::string_view argument, Fields fields) { structs_[std::string(argument)] = std::move(fields); }
+  void set(std::string_view argument, Table table) { tables_[std::string(argument)] = std::move(table); }
+
+  /// The numbers of a pass's parameter structs, for a grid of this shape.
+  std::vector<double> parameters(const PassInfo& pass, Shape shape) const;
+  /// Its tables: what was set, else the output of that name of one of the model's passes, which is run if need be.
+  std::vector<Table> inputs(const PassInfo& pass) const;
+
+  /// Runs a pass; the result is kept by the engine.
+  std::vector<Table> run(std::string_view pass, Shape shape) const;
+
+ private:
+  Table table(std::string_view argument, const PassInfo& reader) const;
+
+  Engine& engine_;
+  const Model& model_;
+  Situation situation_;
+  std::map<std::string, Fields, std::less<>> structs_;
+  std::map<std::string, Table, std::less<>> tables_;
+};
+
+}  // namespace airlight

@@ -1,0 +1,143 @@
+// The kernels' camera on the host, in double.
+#define AIRLIGHT_TARGET host_camera
+#define AIRLIGHT_REP double
+#include "prelude/prelude.hpp"
+namespace airlight::host_camera {
+#include "core/camera.glsl"
+}  // namespace airlight::host_camera
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "sky/camera.h"
+
+namespace airlight {
+namespace {
+
+using std::numbers::pi;
+
+Direction combine(const Direction& a, double x, const Direction& b, double y) {
+  return {a[0] * x + b[0] * y, a[1] * x + b[1] * y, a[2] * x + b[2] * y};
+}
+double dot(const Direction& a, const Direction& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+struct Frame {
+  Direction right, up, forward;
+};
+Frame frame(const Camera& c) {
+  double azimuth = c.azimuth, elevation = c.elevation;
+  if (c.projection == Projection::cube) {
+    constexpr double faces[6][2] = {{pi / 2, 0}, {-pi / 2, 0}, {0, 0}, {pi, 0}, {0, pi / 2}, {0, -pi / 2}};
+    azimuth = faces[c.face][0];
+    elevation = faces[c.face][1];
+  }
+  if (c.projection == Projection::equirectangular) elevation = 0;  // its rows are elevations
+  Frame f;
+  f.forward = direction(azimuth, elevation);
+  f.right = {std::cos(azimuth), -std::sin(azimuth), 0};
+  f.up = {-std::sin(elevation) * std::sin(azimuth), -std::sin(elevation) * std::cos(azimuth), std::cos(elevation)};
+  const double c1 = std::cos(c.roll), s1 = c.projection == Projection::equirectangular ? 0 : std::sin(c.roll);
+  return {combine(f.right, c1, f.up, s1), combine(f.up, c1, f.right, -s1), f.forward};
+}
+
+host_camera::Camera kernel_camera(const Camera& c) {
+  const Fields fields = camera_fields(c);
+  const auto four = [&](const char* name) {
+    const auto& v = fields.at(name);
+    return host_camera::Scalar4(v[0], v[1], v[2], 0.0);
+  };
+  host_camera::Camera k;
+  k.right = four("right");
+  k.up = four("up");
+  k.forward = four("forward");
+  k.projection = fields.at("projection")[0];
+  k.half_width = fields.at("half_width")[0];
+  k.half_height = fields.at("half_height")[0];
+  k.pad = 0.0;
+  return k;
+}
+Direction view_of(const host_camera::Camera& camera, double u, double v) {
+  host_camera::Float inside;
+  const host_camera::Vec3 d = camera_view(camera, {u, v}, inside);
+  return {d.x.v, d.y.v, d.z.v};
+}
+
+}  // namespace
+
+Direction direction(double azimuth, double elevation) {
+  return {std::cos(elevation) * std::sin(azimuth), std::cos(elevation) * std::cos(azimuth), std::sin(elevation)};
+}
+
+Fields camera_fields(const Camera& c) {
+  const Frame f = frame(c);
+  const auto list = [](const Direction& d) { return std::vector<double>{d[0], d[1], d[2], 0}; };
+  const double aspect = double(c.height) / c.width;
+  double projection = 2, half_width = std::tan(std::min(c.field_of_view, 3.1) / 2);
+  if (c.projection == Projection::equirectangular) projection = 0, half_width = 1;
+  if (c.projection == Projection::fisheye) projection = 1, half_width = c.field_of_view / 2;
+  if (c.projection == Projection::cube) half_width = 1;
+  return {{"right", list(f.right)}, {"up", list(f.up)}, {"forward", list(f.forward)}, {"projection", {projection}},
+          {"half_width", {half_width}}, {"half_height", {half_width * aspect}}, {"pad", {0}}};
+}
+
+Direction view_direction(const Camera& camera, double u, double v) { return view_of(kernel_camera(camera), u, v); }
+
+DiscInPicture disc_in_picture(const Camera& camera, Direction sun, double angular_radius, const std::array<double, 4>& exponent) {
+  const host_camera::Camera kernel = kernel_camera(camera);
+  // The picture goes on a block beyond its frame, so that a disc cut by the frame is not made brighter. An equirectangular one wraps.
+  constexpr int block = 16;
+  const bool wraps = camera.projection == Projection::equirectangular;
+  const auto view = [&](double x, double y) { return view_of(kernel, x / camera.width, y / camera.height); };
+  const auto solid_angle = [&](double x, double y) {
+    const Direction a = view(x - 0.25, y), b = view(x + 0.25, y), c = view(x, y - 0.25), d = view(x, y + 0.25);
+    const Direction e = combine(b, 2, a, -2), f = combine(d, 2, c, -2);
+    const Direction n{e[1] * f[2] - e[2] * f[1], e[2] * f[0] - e[0] * f[2], e[0] * f[1] - e[1] * f[0]};
+    return std::sqrt(dot(n, n));
+  };
+  const auto apart = [&](const Direction& v) {
+    const Direction d = combine(v, 1, sun, -1);
+    return 2 * std::asin(std::min(std::sqrt(dot(d, d)) / 2, 1.0));
+  };
+  // The nearest block centre gives the size of a pixel there.
+  struct Block {
+    int x, y;
+    double angle;
+  };
+  std::vector<Block> blocks;
+  double nearest = 10, pixel = 0.1;
+  const int margin = wraps ? 0 : block;
+  for (int y = -(wraps ? 0 : margin); y < camera.height + margin; y += block) {
+    for (int x = -margin; x < camera.width + margin; x += block) {
+      const double cx = x + block / 2.0, cy = std::min(y + block / 2.0, wraps ? camera.height - 0.5 : 1e9);
+      const double angle = apart(view(cx, cy));
+      blocks.push_back({x, y, angle});
+      if (angle < nearest) nearest = angle, pixel = std::sqrt(solid_angle(cx, cy));
+    }
+  }
+  DiscInPicture disc;
+  disc.edge = pixel;
+  disc.radius = std::max(angular_radius, 0.6 * pixel);
+  const double whole[4] = {pi * disc.radius * disc.radius * 2 / (exponent[0] + 2), pi * disc.radius * disc.radius * 2 / (exponent[1] + 2),
+                           pi * disc.radius * disc.radius * 2 / (exponent[2] + 2), pi * disc.radius * disc.radius * 2 / (exponent[3] + 2)};
+  std::array<double, 4> sum{};
+  const double reach = disc.radius + disc.edge;
+  for (const Block& b : blocks) {
+    if (b.angle > reach + 24 * pixel && b.angle > 3 * reach && !wraps) continue;
+    if (wraps && b.angle > reach + block * pi / camera.height + block * 2 * pi / camera.width) continue;
+    for (int y = b.y; y < b.y + block && (!wraps || y < camera.height); ++y) {
+      for (int x = b.x; x < b.x + block && (!wraps || x < camera.width); ++x) {
+        const double angle = apart(view(x + 0.5, y + 0.5));
+        if (angle >= reach) continue;
+        // As disc_shape in kernels/core/picture.glsl.
+        const double edge = std::clamp((disc.radius - angle) / disc.edge + 0.5, 0.0, 1.0), t = std::min(angle / disc.radius, 0.9999);
+        const double mu = std::sqrt((1 - t) * (1 + t)), omega = solid_angle(x + 0.5, y + 0.5);
+        for (std::size_t k = 0; k < 4; ++k) sum[k] += std::pow(mu, exponent[k]) * edge * omega;
+      }
+    }
+  }
+  for (std::size_t k = 0; k < 4; ++k) disc.gain[k] = 1 / (sum[k] > 0 ? sum[k] : whole[k]);
+  return disc;
+}
+
+}  // namespace airlight

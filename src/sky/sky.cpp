@@ -1,0 +1,216 @@
+#include "airlight/sky.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "airlight/error.h"
+#include "engine/kernel_index.h"
+#include "model/model.h"
+#include "optics/bake.h"
+#include "optics/colour.h"
+#include "optics/number_text.h"
+#include "sky/binder.h"
+#include "sky/camera.h"
+
+namespace airlight {
+namespace {
+
+// Below the ground sphere the ground lies just below the eye.
+constexpr double eye_height = 1;  // [m]
+
+double length(const Direction& d) { return std::sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]); }
+
+void check(bool good, const std::string& what, double value, const char* range) {
+  if (!good) throw InputError(what + " = " + number_text(value) + ": expected " + range);
+}
+void check_altitude(double altitude, double ground_radius, const std::string& what) {
+  check(altitude > -0.9 * ground_radius && altitude <= 1e12, what, altitude, "-0.9 ground radii .. 1e12 m");
+}
+Direction checked_unit(const Direction& d, const std::string& what) {
+  const double n = length(d);
+  check(std::abs(n - 1) < 1e-3, "length of " + what, n, "1 within 0.001");
+  return {d[0] / n, d[1] / n, d[2] / n};
+}
+
+}  // namespace
+
+struct Sky::Impl {
+  Atmosphere atmosphere;
+  const Model* model;
+  std::shared_ptr<Engine> engine;
+
+  struct Air {
+    Fields fields;
+    Table zones, profile, phases;
+  };
+  using Key = std::tuple<const Model*, Quad, double>;
+  std::map<Key, Air> baked;
+
+  // The air for four wavelengths above a datum.
+  const Air& air(const Model& m, const Quad& quad, double datum) {
+    const Key key{&m, quad, datum};
+    if (const auto found = baked.find(key); found != baked.end()) return found->second;
+    if (baked.size() > 64) baked.clear();  // observers below the ground sphere each have a datum of their own
+    BakedAir b = bake(atmosphere, quad, datum, m.air);
+    const auto upload = [&](const BakedTable& t) { return engine->upload(t.shape, t.rgba); };
+    return baked[key] = {std::move(b.numbers), upload(b.zones), upload(b.profile), upload(b.phases)};
+  }
+
+  Situation situation(double altitude, double datum) const {
+    return {atmosphere.planet.ground_radius + datum, atmosphere.planet.top_altitude - datum, altitude - datum};
+  }
+  static double datum_for(double altitude) { return altitude < 0 ? altitude - eye_height : 0; }
+
+  Binder binder(const Model& m, const Quad& quad, double altitude) {
+    const double datum = datum_for(altitude);
+    const Air& a = air(m, quad, datum);
+    Binder b(*engine, m, situation(altitude, datum));
+    b.set("air", a.fields);
+    b.set("zones", a.zones);
+    b.set("profile", a.profile);
+    b.set("phases", a.phases);
+    return b;
+  }
+
+  // Answers rays that share a datum, four wavelengths at a time; `put(ray, wavelength, value)`.
+  template <class Put>
+  void answer(Quantity quantity, std::span<const Ray> rays, std::span<const std::size_t> which, std::span<const double> wavelengths, const Model& m, const Put& put) {
+    const int count = int(which.size()), width = std::min(count, 1024), height = (count + width - 1) / width;
+    const Shape shape{width, height, 1};
+    std::vector<double> eyes, suns;
+    const double datum = datum_for(rays[which[0]].altitude);
+    for (std::size_t i = 0; i < shape.texels(); ++i) {
+      const Ray& r = rays[which[std::min(i, which.size() - 1)]];
+      // Far beyond any air; float squares it.
+      const double distance = std::min(r.distance, 1e15);
+      eyes.insert(eyes.end(), {r.altitude - datum, r.view[0], r.view[1], r.view[2]});
+      suns.insert(suns.end(), {distance, r.sun[0], r.sun[1], r.sun[2]});
+    }
+    std::vector<double> texels(4 * shape.texels()), more(texels.size());
+    for (std::size_t w = 0; w < wavelengths.size(); w += 4) {
+      Quad quad;
+      for (std::size_t k = 0; k < 4; ++k) quad[k] = wavelengths[std::min(w + k, wavelengths.size() - 1)];
+      Binder b = binder(m, quad, rays[which[0]].altitude);
+      b.set("eyes", engine->upload(shape, eyes));
+      b.set("suns", engine->upload(shape, suns));
+      const bool light = quantity == Quantity::sun_irradiance || quantity == Quantity::sky_irradiance;
+      const std::vector<Table> answers = b.run(light ? m.irradiance : m.rays, shape);
+      // rays: path radiance, transmittance, ground; irradiance: sun, sky
+      const std::size_t part = quantity == Quantity::transmittance || quantity == Quantity::sky_irradiance ? 1 : 0;
+      engine->read(answers[part], texels);
+      if (quantity == Quantity::radiance) {
+        engine->read(answers[2], more);
+        for (std::size_t i = 0; i < texels.size(); ++i) texels[i] += more[i];
+      }
+      for (std::size_t i = 0; i < which.size(); ++i) {
+        for (std::size_t k = 0; k < 4 && w + k < wavelengths.size(); ++k) put(which[i], w + k, texels[4 * i + k]);
+      }
+    }
+  }
+};
+
+Sky::Sky(Atmosphere atmosphere, std::string_view model, std::shared_ptr<Engine> engine) : impl_(std::make_unique<Impl>()) {
+  validate(atmosphere);
+  impl_->atmosphere = std::move(atmosphere);
+  impl_->model = &find_model(model);
+  impl_->engine = std::move(engine);
+}
+Sky::~Sky() = default;
+Sky::Sky(Sky&&) noexcept = default;
+Sky& Sky::operator=(Sky&&) noexcept = default;
+
+const Atmosphere& Sky::atmosphere() const { return impl_->atmosphere; }
+std::string_view Sky::model() const { return impl_->model->name; }
+Engine& Sky::engine() const { return *impl_->engine; }
+std::array<double, 4> Sky::realtime_wavelengths() const { return realtime_quad; }
+
+void Sky::evaluate(Quantity quantity, std::span<const Ray> rays, std::span<const double> wavelengths, std::span<double> out, int max_order) const {
+  if (out.size() != rays.size() * wavelengths.size()) {
+    throw InputError("size of out = " + std::to_string(out.size()) + ": expected " + std::to_string(rays.size() * wavelengths.size()) + ", rays times wavelengths");
+  }
+  if (max_order < 0 || max_order > 1) throw InputError("max_order = " + std::to_string(max_order) + ": expected 0 (all) or 1 for this model");
+  std::vector<Ray> checked(rays.begin(), rays.end());
+  std::map<double, std::vector<std::size_t>> groups;  // by datum
+  for (std::size_t i = 0; i < checked.size(); ++i) {
+    Ray& r = checked[i];
+    const std::string name = "ray " + std::to_string(i) + ": ";
+    check_altitude(r.altitude, impl_->atmosphere.planet.ground_radius, name + "altitude");
+    check(r.distance >= 0, name + "distance", r.distance, "at least 0 m");
+    r.view = checked_unit(r.view, name + "view");
+    r.sun = checked_unit(r.sun, name + "sun");
+    groups[Impl::datum_for(r.altitude)].push_back(i);
+  }
+  if (rays.empty() || wavelengths.empty()) return;
+  // Light of the first order is what `single` computes.
+  const Model& model = max_order == 1 ? find_model("single") : *impl_->model;
+  std::vector<double> answers(out.size());
+  for (const auto& [datum, which] : groups) {
+    impl_->answer(quantity, checked, which, wavelengths, model,
+                  [&](std::size_t ray, std::size_t w, double value) { answers[ray * wavelengths.size() + w] = value; });
+  }
+  std::ranges::copy(answers, out.begin());
+}
+
+bool Sky::render(const Camera& camera, Direction sun, const PictureOptions& options,
+                 const std::function<bool(int, int, std::span<const float>)>& strip) const {
+  check(camera.width >= 1 && camera.width <= 65536, "picture width", camera.width, "1 .. 65536");
+  check(camera.height >= 1 && camera.height <= 65536, "picture height", camera.height, "1 .. 65536");
+  check_altitude(camera.altitude, impl_->atmosphere.planet.ground_radius, "altitude");
+  const Direction to_sun = checked_unit(sun, "sun");
+  std::vector<double> wavelengths = options.wavelengths;
+  if (wavelengths.empty()) wavelengths.assign(realtime_quad.begin(), realtime_quad.end());
+  if (wavelengths.size() % 4) throw InputError("a picture of " + std::to_string(wavelengths.size()) + " wavelengths: expected a multiple of four");
+  const std::vector<Xyz> weights = colour_weights(impl_->atmosphere, wavelengths);
+
+  struct Draw {
+    const PassInfo* pass;
+    std::vector<double> parameters;
+    std::vector<Table> inputs;
+  };
+  const Shape shape{camera.width, camera.height, 1};
+  std::vector<Draw> draws;
+  for (std::size_t w = 0; w < wavelengths.size(); w += 4) {
+    Quad quad;
+    std::copy_n(wavelengths.begin() + std::ptrdiff_t(w), 4, quad.begin());
+    Binder b = impl_->binder(*impl_->model, quad, camera.altitude);
+    const Situation s = impl_->situation(camera.altitude, Impl::datum_for(camera.altitude));
+    Fields observer{{"sun", {to_sun[0], to_sun[1], to_sun[2], 0}}, {"altitude", {s.altitude}}, {"disc", {options.sun_disc ? 1.0 : 0.0}}};
+    std::array<double, 4> exponent;
+    for (std::size_t k = 0; k < 4; ++k) exponent[k] = impl_->atmosphere.sun.limb_darkening.at(quad[k]);
+    const DiscInPicture disc = disc_in_picture(camera, to_sun, impl_->atmosphere.sun.angular_radius, exponent);
+    observer["disc_gain"].assign(disc.gain.begin(), disc.gain.end());
+    observer["disc_radius"] = {disc.radius};
+    observer["disc_edge"] = {disc.edge};
+    for (std::size_t k = 0; k < 4; ++k) {
+      const auto rgb = xyz_to_srgb(weights[w + k]);
+      observer["red"].push_back(rgb[0]);
+      observer["green"].push_back(rgb[1]);
+      observer["blue"].push_back(rgb[2]);
+    }
+    b.set("camera", camera_fields(camera));
+    b.set("observer", std::move(observer));
+    const PassInfo& pass = kernel_pass(impl_->model->picture(s));
+    draws.push_back({&pass, b.parameters(pass, shape), b.inputs(pass)});
+  }
+
+  const int rows = std::max(1, (1 << 18) / camera.width);  // a strip of 4 MB: it stays in the cache until it is written
+  std::vector<float> rgba, more;
+  for (int begin = 0; begin < camera.height; begin += rows) {
+    const int end = std::min(begin + rows, camera.height);
+    rgba.resize(4 * std::size_t(end - begin) * std::size_t(camera.width));
+    more.resize(draws.size() > 1 ? rgba.size() : 0);
+    for (std::size_t d = 0; d < draws.size(); ++d) {
+      impl_->engine->draw(*draws[d].pass, draws[d].parameters, draws[d].inputs, shape, begin, end, d == 0 ? rgba : more);
+      if (d > 0) {
+        for (std::size_t i = 0; i < rgba.size(); i += 4) {
+          for (std::size_t c = 0; c < 3; ++c) rgba[i + c] += more[i + c];
+        }
+      }
+    }
+    if (!strip(begin, end, rgba)) return false;
+  }
+  return true;
+}
+
+}  // namespace airlight
