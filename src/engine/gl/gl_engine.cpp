@@ -1,5 +1,6 @@
 #include "engine/gl/gl_engine.h"
 
+#include <algorithm>
 #include <cassert>
 #include <map>
 
