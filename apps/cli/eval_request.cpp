@@ -42,8 +42,13 @@ void read_argument(const ArgumentInfo& argument, const json& value, const std::s
         throw InputError(
             fmt::format("{} = {}: expected an object, struct {}", name, excerpt(value), argument.struct_name));
       Fields fields(value, name + '.');
-      for (const ArgumentInfo& field : kernel_struct(argument.struct_name).fields)
-        read_argument(field, fields.get(std::string(field.name)), fields.path(std::string(field.name)), numbers);
+      for (const ArgumentInfo& field : kernel_struct(argument.struct_name).fields) {
+        const std::string key(field.name);
+        const bool padding = key.starts_with("pad");  // fills a struct up to 16 bytes; nobody should have to name it
+        static const json zero = 0;
+        const json* const given = padding ? fields.find(key) : &fields.get(key);
+        read_argument(field, given ? *given : zero, fields.path(key), numbers);
+      }
       fields.expect_no_more();
       return;
     }

@@ -19,8 +19,8 @@ struct EvalRequest {
   std::string error;                      ///< not empty: the line cannot be answered, and why
 };
 
-/// {"id":"k1","fn":"core.phase_rayleigh","inputs":{"one_minus_cos":0.5}}: structs are objects, vectors are arrays.
-/// Never throws for what the text holds.
+/// {"id":"k1","fn":"core.phase_rayleigh","inputs":{"one_minus_cos":0.5}}: structs are objects (their padding may be
+/// left out), vectors are arrays. Never throws for what the text holds.
 EvalRequest parse_eval_request(std::string_view text);
 
 /// {"id":…,"value":[…],"outputs":{"name":[…]}}; "outputs" only for functions with OUT arguments.

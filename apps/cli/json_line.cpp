@@ -14,11 +14,12 @@ namespace {
 constexpr std::size_t longest_excerpt = 40;
 
 /// "[json.exception.parse_error.101] parse error at line 1, column 5: syntax error ..." without the library's own
-/// address.
+/// address and its line, which is always the first.
 std::string plain_message(const json::exception& error) {
-  const std::string_view what = error.what();
-  const std::size_t bracket = what.find("] ");
-  return "not JSON: " + std::string(bracket == what.npos ? what : what.substr(bracket + 2));
+  std::string_view what = error.what();
+  for (const std::string_view end : {"] ", "at line 1, "})
+    if (const std::size_t found = what.find(end); found != what.npos) what.remove_prefix(found + end.size());
+  return "not JSON: " + std::string(what);
 }
 
 }  // namespace

@@ -37,8 +37,7 @@ void add_air_overrides(CLI::App& app, AirOverrides& overrides) {
   add_number(app, "--aerosol-optical-depth", overrides.aerosol_optical_depth, {0, 100, ""},
              "vertical optical depth of the aerosol at 550 nm")
       ->group(air_group);
-  add_number(app, "--angstrom", overrides.angstrom, {-10, 10, ""}, "Ångström exponent of the aerosol")
-      ->group(air_group);
+  add_number(app, "--angstrom", overrides.angstrom, {-2, 5, ""}, "Ångström exponent of the aerosol")->group(air_group);
   add_number(app, "--ozone", overrides.ozone, {0, 10'000, "Dobson units"}, "ozone column")->group(air_group);
 }
 

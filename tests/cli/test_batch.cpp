@@ -1,0 +1,168 @@
+// `airlight probe --batch`.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "run_program.h"
+
+namespace airlight {
+namespace {
+
+using nlohmann::json;
+
+const json example = json::parse(
+    R"({"id":"a","atmosphere":"earth-bruneton","model":"single","quantity":"radiance","altitude":0,"view_zenith":80,"view_azimuth":0,
+        "sun_zenith":60,"sun_azimuth":0,"distance":null,"wavelengths":[440,550,680]})");
+
+json with(json line, const json& changes) {
+  line.update(changes);
+  return line;
+}
+
+std::string lines(const std::vector<json>& objects) {
+  std::string text;
+  for (const json& object : objects) text += object.dump() + '\n';
+  return text;
+}
+
+Outcome batch(const std::string& input, std::vector<std::string> more = {}) {
+  const Folder folder;
+  more.insert(more.begin(), {"probe", "--batch", "-"});
+  return run(folder, more, {.input = input});
+}
+
+/// The one number that a line is answered with.
+double number(const json& answer) { return answer.at("value").at(0).get<double>(); }
+
+TEST(Batch, answers_every_quantity) {
+  std::vector<json> questions;
+  for (const char* quantity : {"radiance", "path_radiance", "transmittance", "sun_irradiance", "sky_irradiance"})
+    questions.push_back(with(example, {{"id", quantity}, {"quantity", quantity}}));
+  for (const char* quantity : {"luminance", "sun_illuminance", "sky_illuminance", "global_illuminance"}) {
+    questions.push_back(with(example, {{"id", quantity}, {"quantity", quantity}}));
+    questions.back().erase("wavelengths");
+  }
+  const Outcome outcome = batch(lines(questions));
+  ASSERT_EQ(outcome.code, 0) << outcome.err << outcome.out;
+  const auto answers = json_lines(outcome.out);
+  ASSERT_EQ(answers.size(), questions.size());
+  for (std::size_t i = 0; i < answers.size(); ++i) {
+    EXPECT_EQ(answers[i]["id"], questions[i]["id"]);
+    EXPECT_EQ(answers[i]["value"].size(), i < 5 ? 3u : 1u);
+    for (const json& value : answers[i]["value"]) EXPECT_GT(value.get<double>(), 0) << answers[i];
+  }
+  // The ray meets no ground, so nothing but air shines along it.
+  EXPECT_EQ(answers[0]["value"], answers[1]["value"]);
+  for (const json& transmittance : answers[2]["value"]) EXPECT_LT(transmittance.get<double>(), 1);
+  // Sun 30 degrees up: sky plus half of the sun. 1e-12: rounding of sin 30 degrees.
+  EXPECT_NEAR(number(answers[8]) / (number(answers[7]) + 0.5 * number(answers[6])), 1, 1e-12);
+  // Bright daylight, not watts or kilolux.
+  EXPECT_GT(number(answers[8]), 2e4);
+  EXPECT_LT(number(answers[8]), 1e5);
+}
+
+TEST(Batch, keeps_the_order_across_chunks_and_topics) {
+  std::vector<json> questions;
+  for (int i = 0; i < 9000; ++i)  // more than one chunk
+    questions.push_back(with(example, {{"id", i},
+                                       {"quantity", "transmittance"},
+                                       {"view_zenith", i % 90},
+                                       {"wavelengths", i % 3 == 0 ? json{550} : json{440, 680}}}));
+  const Outcome outcome = batch(lines(questions));
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const auto answers = json_lines(outcome.out);
+  ASSERT_EQ(answers.size(), questions.size());
+  for (int i = 0; i < 9000; ++i) {
+    ASSERT_EQ(answers[i]["id"], i);
+    ASSERT_EQ(answers[i]["value"].size(), i % 3 == 0 ? 1u : 2u);
+    if (i >= 90) ASSERT_EQ(answers[i]["value"], answers[i % 90]["value"]) << "answered together or apart, the same";
+  }
+}
+
+TEST(Batch, bad_lines_get_errors_and_the_rest_is_answered) {
+  const std::string text = lines({example, with(example, {{"id", "b"}, {"wavelengths", {100}}})}) +
+                           "{\"id\":\"c\",\n\n" +
+                           lines({with(example, {{"id", "d"}, {"model", "singel"}}),
+                                  with(example, {{"id", "e"}, {"atmosphere", "nowhere.toml"}}),
+                                  with(example, {{"id", "f"}, {"view_zenth", 3}}), with(example, {{"id", "g"}})});
+  const Outcome outcome = batch(text);
+  EXPECT_EQ(outcome.code, 1);
+  const auto answers = json_lines(outcome.out);
+  ASSERT_EQ(answers.size(), 7u);
+  const char* const fragments[] = {
+      "", "standard input:2", "standard input:3", "did you mean single?", "nowhere.toml", "did you mean view_zenith?",
+      ""};
+  for (int i = 0; i < 7; ++i) {
+    EXPECT_EQ(answers[i]["id"], std::string(1, char('a' + i)));
+    if (*fragments[i])
+      EXPECT_NE(answers[i].at("error").get<std::string>().find(fragments[i]), std::string::npos) << answers[i];
+    else
+      EXPECT_TRUE(answers[i].contains("value")) << answers[i];
+  }
+  EXPECT_NE(answers[1]["error"].get<std::string>().find("360"), std::string::npos) << "the legal range: " << answers[1];
+  EXPECT_EQ(answers[0]["value"], answers[6]["value"]) << "a bad line among them changes nothing";
+}
+
+TEST(Batch, wavelengths_of_a_luminance_default_to_forty) {
+  json forty = json::array();
+  for (int nm = 385; nm <= 775; nm += 10) forty.push_back(nm);
+  auto without = with(example, {{"quantity", "luminance"}});
+  without.erase("wavelengths");
+  const auto answers = json_lines(batch(lines({without, with(without, {{"wavelengths", forty}})})).out);
+  ASSERT_EQ(answers.size(), 2u);
+  EXPECT_EQ(answers[0]["value"], answers[1]["value"]);
+}
+
+TEST(Batch, options_fill_in_for_lines_that_name_no_air_or_model) {
+  auto bare = with(example, {{"quantity", "transmittance"}, {"view_zenith", 0}});
+  const auto named = json_lines(batch(lines({with(bare, {{"atmosphere", "mars-clear"}})})).out);
+  bare.erase("atmosphere");
+  bare.erase("model");
+  const auto filled = json_lines(batch(lines({bare}), {"--planet", "mars-clear", "--model", "single"}).out);
+  EXPECT_EQ(named, filled);
+
+  // T = exp(-depth): what the aerosol adds at 550 nm straight up is its optical depth.
+  const auto clear = json_lines(batch(lines({bare}), {"--aerosol-optical-depth", "0"}).out);
+  const auto hazy = json_lines(batch(lines({bare}), {"--aerosol-optical-depth", "0.4"}).out);
+  // 1e-3: the tables are single precision and the aerosol ends at the top of the air.
+  EXPECT_NEAR(std::log(clear[0]["value"][1].get<double>() / hazy[0]["value"][1].get<double>()), 0.4, 1e-3);
+}
+
+TEST(Batch, a_segment_of_no_length_is_empty) {
+  const auto answers = json_lines(batch(lines({with(example, {{"distance", 0}, {"quantity", "transmittance"}}),
+                                               with(example, {{"distance", 0}, {"quantity", "path_radiance"}})}))
+                                      .out);
+  ASSERT_EQ(answers.size(), 2u);
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_EQ(answers[0].at("value")[i], 1.0);
+    EXPECT_EQ(answers[1].at("value")[i], 0.0);
+  }
+}
+
+TEST(Batch, reads_and_replaces_one_and_the_same_file) {
+  const Folder folder;
+  write_file(folder / "all.jsonl", lines({example}));
+  EXPECT_EQ(run(folder, {"probe", "--batch", "all.jsonl", "-o", "all.jsonl"}).code, 0);
+  const auto answers = json_lines(read_file(folder / "all.jsonl"));
+  ASSERT_EQ(answers.size(), 1u);
+  EXPECT_TRUE(answers[0].contains("value"));
+  EXPECT_EQ(folder.names(), std::vector<std::string>{"all.jsonl"});
+}
+
+TEST(Batch, nothing_in_nothing_out) {
+  const Outcome outcome = batch("\n  \n");
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_EQ(outcome.out, "");
+}
+
+TEST(Batch, a_line_too_long_is_one_error) {
+  const Outcome outcome = batch(std::string(3 << 20, 'x') + '\n' + lines({example}));
+  EXPECT_EQ(outcome.code, 1);
+  const auto answers = json_lines(outcome.out);
+  ASSERT_EQ(answers.size(), 2u);
+  EXPECT_NE(answers[0].at("error").get<std::string>().find("longer"), std::string::npos);
+  EXPECT_EQ(answers[1]["id"], "a");
+}
+
+}  // namespace
+}  // namespace airlight

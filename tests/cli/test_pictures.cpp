@@ -1,0 +1,134 @@
+// `airlight sky`: what lies in the files.
+#include <OpenImageIO/imageio.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "run_program.h"
+
+namespace airlight {
+namespace {
+
+struct Picture {
+  int width = 0, height = 0;
+  std::vector<float> rgb;
+  std::string header;  ///< metadata as text
+
+  float luminance(int x, int y) const {
+    const float* pixel = &rgb[3 * (std::size_t(y) * std::size_t(width) + std::size_t(x))];
+    return 0.2126f * pixel[0] + 0.7152f * pixel[1] + 0.0722f * pixel[2];
+  }
+};
+
+Picture read_picture(const std::string& path) {
+  const auto input = OIIO::ImageInput::open(path);
+  if (!input) throw std::runtime_error(OIIO::geterror());
+  const OIIO::ImageSpec& spec = input->spec();
+  Picture picture{
+      spec.width, spec.height, std::vector<float>(std::size_t(spec.width) * std::size_t(spec.height) * 3), {}};
+  input->read_image(0, 0, 0, 3, OIIO::TypeDesc::FLOAT, picture.rgb.data());
+  for (const auto& attribute : spec.extra_attribs)
+    picture.header += attribute.name().string() + " = " + attribute.get_string() + '\n';
+  return picture;
+}
+
+Picture sky(std::vector<std::string> more, const std::string& file = "sky.exr") {
+  const Folder folder;
+  more.insert(more.begin(), "sky");
+  more.insert(more.end(), {"-o", file});
+  const Outcome outcome = run(folder, more);
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  return read_picture(folder / file);
+}
+
+TEST(Pictures, one_rendering_fills_several_files) {
+  const Folder folder;
+  const Outcome outcome = run(folder, {"sky", "--place", "46.6,7.9", "--time", "2026-06-21T18:40Z", "--size", "64x32",
+                                       "-o", "a.exr", "-o", "a.hdr", "-o", "a.png"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_NE(outcome.err.find("a.exr, a.hdr, a.png: 64 x 32, earth, skyview on simd"), std::string::npos) << outcome.err;
+  for (const char* file : {"a.exr", "a.hdr", "a.png"}) {
+    const Picture picture = read_picture(folder / file);
+    EXPECT_EQ(picture.width, 64) << file;
+    EXPECT_EQ(picture.height, 32) << file;
+    EXPECT_GT(picture.luminance(32, 4), 0) << file;
+  }
+  EXPECT_EQ(folder.names().size(), 3u);
+}
+
+TEST(Pictures, metadata_say_how_they_were_made) {
+  const Picture picture =
+      sky({"--place", "46.6,7.9", "--time", "2026-06-21T18:40Z", "--refraction", "--size", "16", "--ozone", "250"});
+  for (const char* text :
+       {"earth", "skyview", "simd", "46.6,7.9", "2026-06-21T18:40", "cd m-2", "lifts the sun", "1 / distance^2", "250",
+        "wavelengths [nm] = ", "sun azimuth [degrees] = ", "sun elevation [degrees] = ", "airlight "})
+    EXPECT_NE(picture.header.find(text), std::string::npos) << text << " in\n" << picture.header;
+}
+
+TEST(Pictures, sizes_that_are_not_said_follow_the_projection) {
+  const auto size = [](std::vector<std::string> more) {
+    more.insert(more.end(), {"--sun-elevation", "30", "--no-sun"});
+    const Picture picture = sky(more, "sky.png");
+    return std::pair(picture.width, picture.height);
+  };
+  EXPECT_EQ(size({"--size", "32"}), std::pair(32, 16));
+  EXPECT_EQ(size({"--size", "32", "--projection", "fisheye"}), std::pair(32, 32));
+  EXPECT_EQ(size({"--size", "32", "--projection", "perspective"}), std::pair(32, 18));
+  EXPECT_EQ(size({"--size", "8", "--projection", "cube"}), std::pair(48, 8));
+  EXPECT_EQ(size({"--size", "10x30", "--projection", "perspective"}), std::pair(10, 30));
+}
+
+TEST(Pictures, cube_faces_lie_in_the_documented_order) {
+  const std::vector<std::string> air{"--sun-elevation", "40",      "--sun-azimuth", "110",
+                                     "--no-sun",        "--float", "--model",       "single"};
+  auto words = air;
+  words.insert(words.end(), {"--projection", "cube", "--size", "8"});
+  const Picture cube = sky(words);
+  ASSERT_EQ(cube.width, 48);
+  int face = 0;
+  for (const auto& [azimuth, elevation] :
+       {std::pair{"90", "0"}, {"270", "0"}, {"0", "0"}, {"180", "0"}, {"0", "90"}, {"0", "-90"}}) {
+    words = air;
+    words.insert(words.end(), {"--projection", "perspective", "--size", "8x8", "--camera-azimuth", azimuth,
+                               "--camera-elevation", elevation});
+    const Picture view = sky(words);
+    // The mean over the face does not depend on how the face is turned. 1e-4: rays of single precision.
+    double of_cube = 0, of_view = 0;
+    for (int y = 0; y < 8; ++y)
+      for (int x = 0; x < 8; ++x) {
+        of_cube += cube.luminance(8 * face + x, y);
+        of_view += view.luminance(x, y);
+      }
+    EXPECT_NEAR(of_cube / of_view, 1, 1e-4) << "face " << face;
+    ++face;
+  }
+}
+
+TEST(Pictures, the_sun_stands_where_it_was_put) {
+  // Azimuth 60 of a panorama around north: x = (60 + 180) / 360; elevation 20: y = (90 - 20) / 180.
+  const std::vector<std::string> words{"--sun-elevation", "20", "--sun-azimuth", "60", "--size", "720x360", "--float"};
+  const Picture picture = sky(words);
+  int brightest_x = 0, brightest_y = 0;
+  for (int y = 0; y < picture.height; ++y)
+    for (int x = 0; x < picture.width; ++x)
+      if (picture.luminance(x, y) > picture.luminance(brightest_x, brightest_y)) brightest_x = x, brightest_y = y;
+  EXPECT_NEAR(brightest_x, 480, 1);
+  EXPECT_NEAR(brightest_y, 140, 1);
+  auto without = words;
+  without.push_back("--no-sun");
+  // The disc is 1e4 and more times as bright as the sky beside it; at this size it fills about one pixel.
+  EXPECT_GT(picture.luminance(brightest_x, brightest_y), 100 * sky(without).luminance(brightest_x, brightest_y));
+}
+
+TEST(Pictures, more_wavelengths_give_nearly_the_same_colours) {
+  const std::vector<std::string> words{"--sun-elevation", "30", "--no-sun", "--float", "--size", "16"};
+  auto many = words;
+  many.insert(many.end(), {"--wavelengths", "40"});
+  const Picture four = sky(words), forty = sky(many);
+  // 4 wavelengths are an approximation of the integral: a few percent in luminance of a daylight sky.
+  for (int x = 0; x < 16; ++x) EXPECT_NEAR(four.luminance(x, 2) / forty.luminance(x, 2), 1, 0.05);
+}
+
+}  // namespace
+}  // namespace airlight
