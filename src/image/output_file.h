@@ -26,6 +26,9 @@ class OutputFile {
   const std::string& target() const { return target_; }
   const std::string& temporary() const { return temporary_; }  ///< exists; keeps the target's ending
 
+  /// The target is a device, a pipe or a descriptor: commit() copies.
+  bool direct() const { return direct_; }
+
   /// Appends to the temporary file, for text and other streams. @throws WorkError naming the target and the reason.
   void write(std::string_view bytes);
   /// Writes at a place of the temporary file. @throws WorkError naming the target and the reason.

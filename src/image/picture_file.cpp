@@ -21,13 +21,14 @@ namespace {
 
 enum class Kind { exr, hdr, png };
 
-Kind kind_of(const std::string& path) {
-  std::string ending = std::filesystem::path(path).extension().string();
+Kind kind_of(const OutputFile& file) {
+  std::string ending = std::filesystem::path(file.target()).extension().string();
   std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
   if (ending == ".exr") return Kind::exr;
   if (ending == ".hdr") return Kind::hdr;
   if (ending == ".png") return Kind::png;
-  throw InputError("cannot write '" + path + "': the ending '" + ending + "' is not one of .exr, .hdr, .png");
+  if (file.direct()) return Kind::exr;
+  throw InputError("cannot write '" + file.target() + "': the ending '" + ending + "' is not one of .exr, .hdr, .png");
 }
 
 /// Components that a format can hold [cd/m^2].
@@ -46,7 +47,7 @@ std::string counted(long n, const char* what) { return std::to_string(n) + (n ==
 
 struct PictureFile::Impl {
   Impl(const std::string& path, int w, int h, const PictureFormat& f, const Metadata& m)
-      : kind(kind_of(path)), range(range_of(kind, f)), width(w), height(h), format(f), metadata(m), file(path) {
+      : file(path), kind(kind_of(file)), range(range_of(kind, f)), width(w), height(h), format(f), metadata(m) {
     if (kind == Kind::exr) {
       exr = std::make_unique<ExrWriter>(file, width, height, format, metadata);
     } else {
@@ -104,12 +105,12 @@ struct PictureFile::Impl {
     file.write({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
   }
 
+  OutputFile file;
   const Kind kind;
   const Range range;
   const int width, height;
   const PictureFormat format;
   Metadata metadata;
-  OutputFile file;
   std::unique_ptr<ExrWriter> exr;
   std::vector<float> rgb, scratch;  // rgb: the whole picture, where the format needs it
   int rows = 0;

@@ -17,8 +17,8 @@ using Metadata = std::vector<std::pair<std::string, std::variant<std::string, do
 enum class ToneCurve { filmic, reinhard };
 
 struct PictureFormat {
-  bool half = true;                   ///< EXR: half floats (clamped at 65504, said in the metadata), else 32-bit
-  std::optional<double> exposure_ev;  ///< PNG: linear picture times 2^EV (EV 0: 1 cd/m2 -> 1); none: automatic
+  bool half = true;                        ///< EXR: half floats (clamped at 65504, said in the metadata), else 32-bit
+  std::optional<double> exposure_ev = {};  ///< PNG: linear picture times 2^EV (EV 0: 1 cd/m2 -> 1); none: automatic
   ToneCurve tone_curve = ToneCurve::filmic;
   int compression_threads = 0;  ///< 0: all cores
 };
@@ -26,8 +26,8 @@ struct PictureFormat {
 /// Takes a picture row by row: linear sRGB [cd/m^2].
 class PictureFile {
  public:
-  /// @param path  .exr, .hdr or .png; an existing regular file is replaced only by finish(); a device or pipe is
-  /// written directly.
+  /// @param path  .exr, .hdr or .png; an existing regular file is replaced only by finish(). A device or pipe is written
+  ///              directly, as EXR where its name does not say.
   /// @throws InputError for an unknown ending or a folder that cannot be written, before anything is written.
   PictureFile(const std::string& path, int width, int height, const PictureFormat& format, const Metadata& metadata);
   ~PictureFile();  ///< not finished: the temporary file is removed

@@ -18,9 +18,12 @@ using namespace image_tone;
 // 8.5 EV above middle grey (0.18): what Reinhard's curve shows as white.
 constexpr double reinhard_white = 64;
 
-/// Dither threshold in [0, 1) of a pixel: a rank-1 lattice of the plastic number's powers (Roberts 2018, "R2"), in
-/// whole numbers modulo 2^32. Neighbours differ much, so the noise is fine and its mean over a few pixels is right.
-float threshold(std::uint32_t x, std::uint32_t y) { return float((x * 3242174889u + y * 2447445414u) >> 8) * 0x1p-24f; }
+/// Dither threshold of a pixel: one of the 256 middles of equal parts of 0..1, so that black and white, which rounding
+/// errors leave a little inside, stay exact. A rank-1 lattice of the plastic number's powers (Roberts 2018, "R2"), in
+/// whole numbers modulo 2^32: neighbours differ much, so the noise is fine and the mean over a few pixels is right.
+float threshold(std::uint32_t x, std::uint32_t y) {
+  return (float((x * 3242174889u + y * 2447445414u) >> 24) + 0.5f) * 0x1p-8f;
+}
 
 }  // namespace
 
