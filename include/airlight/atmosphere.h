@@ -115,9 +115,9 @@ struct Atmosphere {
 
 /// Changes that every command accepts. Each applies to the constituent of that name and is an error where there is none.
 struct AirOverrides {
-  std::optional<double> aerosol_optical_depth;  ///< vertical, extinction, at 550 nm
-  std::optional<double> angstrom;               ///< Ångström exponent of the aerosol
-  std::optional<double> ozone;                  ///< [Dobson units]
+  std::optional<double> aerosol_optical_depth{};  ///< vertical, extinction, at 550 nm
+  std::optional<double> angstrom{};               ///< Ångström exponent of the aerosol
+  std::optional<double> ozone{};                  ///< [Dobson units]
 };
 
 /// Names of the atmospheres built in: "earth", "earth-hazy", "earth-bruneton", "mars-clear".

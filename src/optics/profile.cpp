@@ -23,11 +23,15 @@ double value(const LayersProfile& profile, double altitude) {
   return 0;
 }
 
+bool is_logarithmic(const TableProfile& profile, std::size_t above) {
+  return profile.logarithmic && profile.densities[above - 1] > 0 && profile.densities[above] > 0;
+}
+
 double between(const TableProfile& profile, std::size_t above, double altitude) {
   const double low = profile.densities[above - 1], high = profile.densities[above];
   const double bottom = profile.altitudes[above - 1], top = profile.altitudes[above];
   const double part = (altitude - bottom) / (top - bottom);
-  if (profile.logarithmic && low > 0 && high > 0) return low * std::exp(part * std::log(high / low));
+  if (is_logarithmic(profile, above)) return low * std::exp(part * std::log(high / low));
   return std::lerp(low, high, part);
 }
 
@@ -81,13 +85,12 @@ double smooth_mean(const PiecewiseLinear& profile, double from, double to) {
 }
 
 double smooth_mean(const TableProfile& profile, double from, double to) {
-  const auto above = std::upper_bound(profile.altitudes.begin(), profile.altitudes.end(), from + (to - from) / 2);
-  const bool inside = above != profile.altitudes.begin() && above != profile.altitudes.end();
-  if (!inside) return value(profile, from + (to - from) / 2);
+  const double middle = from + (to - from) / 2;
+  const auto above = std::upper_bound(profile.altitudes.begin(), profile.altitudes.end(), middle);
+  if (above == profile.altitudes.begin() || above == profile.altitudes.end()) return value(profile, middle);
   const std::size_t i = std::size_t(above - profile.altitudes.begin());
   const double low = between(profile, i, from), high = between(profile, i, to);
-  if (!profile.logarithmic || low <= 0 || high <= 0) return low + (high - low) / 2;
-  return low * mean_decay(std::log(low / high));
+  return is_logarithmic(profile, i) ? low * mean_decay(std::log(low / high)) : low + (high - low) / 2;
 }
 
 double smooth_mean(const StandardAtmosphereProfile& profile, double from, double to) {
