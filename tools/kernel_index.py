@@ -11,6 +11,7 @@ import re
 import sys
 
 TYPES = {"Float": 1, "Vec2": 2, "Vec3": 3, "Vec4": 4, "Bool": 1, "Scalar": 1, "Scalar4": 4, "int": 1}
+TABLES = {"Table2", "Table3"}
 UNIFORM = {"Scalar", "Scalar4", "int"}
 REFUSED = ("pow acos asin atan log log2 exp2 tan inversesqrt mod fract sign step length distance normalize cross reflect refract "
            "smoothstep round trunc ceil isnan isinf dFdx dFdy texture texelFetch textureSize").split()
@@ -103,7 +104,7 @@ class Kernels:
                 field.unit, field.low, field.high, field.log, field.text, field.ranged = parse_range("kernels/" + file, at, match.group(3))
                 self.structs[struct].append(field)
                 continue
-            if line.startswith("FN "):
+            if re.match(r"FN(_SHARED)? ", line):
                 self.function(file, at, group, line, lines, comment)
             if line.strip():
                 comment = []
@@ -117,7 +118,7 @@ class Kernels:
         while "{" not in text:  # a signature may run on
             end += 1
             text += " " + lines[end - 1].strip()
-        match = re.match(r"FN (\w+) (\w+)\((.*)\)\s*$", text.split("{")[0].strip())
+        match = re.match(r"FN(?:_SHARED)? (\w+) (\w+)\((.*)\)\s*$", text.split("{")[0].strip())
         if not match:
             fail(where, at, "cannot read this signature")
         result, name, list_ = match.groups()
@@ -154,14 +155,14 @@ class Kernels:
         units = re.findall(r"\[([^\]]+)\]", f.text)
         f.unit = units[0] if units else ""
         f.passes = f.kernel_name.endswith("_pass")
-        f.evaluable = not f.passes and not any(a.type.startswith("Table") for a in f.arguments)
+        f.evaluable = not f.passes and not any(a.type in TABLES for a in f.arguments)
         for a in f.arguments:
             if a.name in documented:
                 row, rest = documented.pop(a.name)
                 a.unit, a.low, a.high, a.log, a.text, a.ranged = parse_range(where, row, rest)
             if f.evaluable and a.type in TYPES and not a.out and not a.ranged:
                 fail(where, at, f"{f.kernel_name}: argument '{a.name}' needs '/// @param {a.name} [unit] in low..high'")
-            if a.type not in TYPES and not a.type.startswith("Table") and a.type not in self.structs:
+            if a.type not in TYPES and not a.type in TABLES and a.type not in self.structs:
                 fail(where, at, f"{f.kernel_name}: unknown type '{a.type}'")
         for name_, (row, _) in documented.items():
             fail(where, row, f"{f.kernel_name} has no argument '{name_}'")
@@ -183,7 +184,7 @@ def raw(text):
 
 
 def argument_info(a):
-    kind = {"int": "Int"}.get(a.type, a.type if a.type in TYPES or a.type.startswith("Table") else "Struct")
+    kind = {"int": "Int"}.get(a.type, a.type if a.type in TYPES or a.type in TABLES else "Struct")
     struct = a.type if kind == "Struct" else ""
     return (f"{{{quote(a.name)}, KernelType::{kind}, {quote(struct)}, {str(a.out).lower()}, {quote(a.unit)}, {a.low!r}, {a.high!r}, "
             f"{str(a.log).lower()}, {quote(a.text)}}}")
@@ -210,7 +211,7 @@ def index(k):
         slot = slots[(group, f.passes)] = slots.get((group, f.passes), -1) + (1 if f.passes or f.evaluable else 0)
         if f.passes:
             structs = [a for a in f.arguments if a.type in k.structs]
-            tables = [a for a in f.arguments if a.type.startswith("Table")]
+            tables = [a for a in f.arguments if a.type in TABLES]
             outs = [f.name.split(".")[1]] + [a.name for a in f.arguments if a.out]
             for kind, items in (("structs", structs), ("tables", tables)):
                 out.append(f"[[maybe_unused]] constexpr std::array<ArgumentInfo, {len(items)}> pass_{kind}_{i}{{{{" + ", ".join(argument_info(a) for a in items) + "}};")
@@ -295,7 +296,7 @@ def wrappers(k, group):
                     lines.append(f"  {a.type} {a.name}_in; unpack(a.parameters + {at}, {a.name}_in);")
                     at += sum(TYPES[x.type] for x in k.structs[a.type])
                     call.append(a.name + "_in")
-                elif a.type.startswith("Table"):
+                elif a.type in TABLES:
                     lines.append(f"  const {a.type} {a.name}_in = make_{a.type}(a.tables[{table}]);")
                     table += 1
                     call.append(a.name + "_in")

@@ -5,7 +5,7 @@
 // (a leg ends there) and at the planet's shadow (a stretch ends there).
 
 /// Optical depth along a stretch of a ray that ends before the ground and the top [1].
-FN Vec4 optical_depth_along(IN(Air) air, Table2 zones, Table2 profile, Float altitude, Float mu, Float reach) {
+FN_SHARED Vec4 optical_depth_along(IN(Air) air, Table2 zones, Table2 profile, Float altitude, Float mu, Float reach) {
   Float along = (air.ground_radius + altitude) * mu;
   Float low = clamp(-along, 0.0, reach);
   Vec4 depth = Vec4(0.0);
@@ -103,7 +103,7 @@ FN Float meet_air(IN(Air) air, Float altitude, Vec3 view, Vec3 sun, Float distan
 /// Light gathered along a ray: for each phase class the integral of scattering x sunlight x transmittance (to be multiplied by
 /// its phase function and the solar irradiance), the light scattered more than once (orders > 1; else `multiple` is not read),
 /// and the optical depth of the whole path.
-FN void gather_light(IN(Air) air, int orders, Table2 zones, Table2 profile, Table2 sunlight, Table2 multiple, Float altitude, Float mu, Float mu_s,
+FN_SHARED void gather_light(IN(Air) air, int orders, Table2 zones, Table2 profile, Table2 sunlight, Table2 multiple, Float altitude, Float mu, Float mu_s,
                      Float nu, Float reach, OUT(Vec4) class0, OUT(Vec4) class1, OUT(Vec4) class2, OUT(Vec4) class3, OUT(Vec4) diffuse,
                      OUT(Vec4) depth) {
   class0 = Vec4(0.0);
@@ -216,7 +216,7 @@ FN Vec4 apply_phases(IN(Air) air, Table2 phases, Float one_minus_cos, Vec4 class
 }
 
 /// The part of uniform light around a place that reaches it from one direction scattered or reflected once more [1].
-FN Vec4 scattered_again(IN(Air) air, Table2 zones, Table2 profile, Float altitude, Float mu) {
+FN_SHARED Vec4 scattered_again(IN(Air) air, Table2 zones, Table2 profile, Float altitude, Float mu) {
   Bool down = mu < mu_horizon(air.ground_radius, altitude);
   Float reach = select(down, distance_to_ground(air.ground_radius, altitude, mu), distance_to_shell(air.ground_radius, altitude, Float(air.top_altitude), mu));
   Float along = (air.ground_radius + altitude) * mu;

@@ -20,7 +20,7 @@ FN Vec4 ground_radiance(IN(Air) air, Table2 sunlight, Table2 ground_light, int o
 
 /// What a view ray brings, per solar irradiance [1/sr]: the air's part; transmittance of the whole ray; light reflected by the
 /// ground where the ray meets it, already attenuated.
-FN Vec4 ray_light(IN(Air) air, int orders, Table2 zones, Table2 profile, Table2 phases, Table2 sunlight, Table2 multiple,
+FN_SHARED Vec4 ray_light(IN(Air) air, int orders, Table2 zones, Table2 profile, Table2 phases, Table2 sunlight, Table2 multiple,
                   Table2 ground_light, Float altitude, Vec3 view, Vec3 sun, Float distance, OUT(Vec4) transmittance, OUT(Vec4) ground) {
   Float start = Float(0.0);
   Float mu = Float(0.0);
@@ -63,7 +63,7 @@ FN Vec4 sunlight_from(IN(Air) air, Table2 sunlight, Float altitude, Vec3 sun) {
 }
 
 /// Skylight on a horizontal plane that faces up, per solar irradiance [1]: 16 rings x 32 directions of equal weight.
-FN Vec4 sky_irradiance_at(IN(Air) air, int orders, Table2 zones, Table2 profile, Table2 phases, Table2 sunlight, Table2 multiple,
+FN_SHARED Vec4 sky_irradiance_at(IN(Air) air, int orders, Table2 zones, Table2 profile, Table2 phases, Table2 sunlight, Table2 multiple,
                           Float altitude, Vec3 sun) {
   Vec4 sum = Vec4(0.0);
   for (int ring = 0; ring < 16; ++ring) {

@@ -6,6 +6,7 @@ precision highp sampler2D;
 precision highp sampler3D;
 #endif
 #define FN
+#define FN_SHARED
 #define IN(T) in T
 #define OUT(T) out T
 #define Float float

@@ -18,8 +18,9 @@ static inline Table2 make_Table2(const TableView& t) { return {static_cast<const
 [[maybe_unused]] static inline Table3 make_Table3(const TableView& t) { return {static_cast<const Element*>(t.texels), t.width, t.height, t.depth}; }
 
 FN Float load(const Element* e) {
-  if constexpr (lanes == 1) return Float::of(Rep(*e));
-  else return Float::of(Rep::load_aligned(e));
+  Float f;
+  __builtin_memcpy(&f, e, sizeof f);
+  return f;
 }
 
 // ---- functions: `lanes` sets of arguments at a time; the last batch repeats its last set ----
