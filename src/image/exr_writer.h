@@ -2,8 +2,10 @@
 #pragma once
 #include <openexr.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <exception>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -33,8 +35,8 @@ class ExrWriter {
  private:
   struct Block {
     int first_row = 0, rows = 0;
-    std::vector<std::uint8_t> raw, packed;  // as in the file, before and after compression
-    std::size_t packed_size = 0;
+    std::unique_ptr<std::byte[]> raw, packed;  // as in the file, before and after compression; room for 16 rows
+    std::size_t raw_size = 0, packed_size = 0;
   };
   void write_header(const PictureFormat& format, const Metadata& metadata);
   void flush();
@@ -45,7 +47,9 @@ class ExrWriter {
   const bool half_;
   int rows_ = 0;
   std::vector<Block> blocks_;
-  std::size_t filled_ = 0;  // blocks that hold rows, the last one perhaps not all of its own
+  std::size_t filled_ = 0;             // blocks that hold rows, the last one perhaps not all of its own
+  std::vector<std::uint16_t> halves_;  // one channel of a row
+  std::vector<float> floats_;
   exr_context_t context_ = nullptr;
   std::string message_;            // what the library said last
   std::exception_ptr disk_error_;  // what writing threw: no exception may cross the library's C code

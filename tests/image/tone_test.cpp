@@ -57,11 +57,11 @@ TEST(Tone, greys_stay_grey_and_black_and_white_are_exact) {
 TEST(Tone, more_light_never_looks_darker) {
   std::mt19937 random(7);
   std::uniform_real_distribution<float> component(0.0f, 1.0f);
-  for (int i = 0; i < 20; ++i) {
+  for (int i = 0; i < 5; ++i) {
     const std::array<float, 3> colour = {component(random), component(random), component(random)};
     for (const ToneCurve curve : curves) {
       double before = 0;
-      for (double ev = -8; ev <= 12; ev += 0.5) {
+      for (double ev = -6; ev <= 10; ev += 1) {
         const auto now = shown(colour, curve, ev);
         const double largest = std::max({now[0], now[1], now[2]});
         EXPECT_GE(largest, before - 0.1) << "EV " << ev;  // twice the dither's error
