@@ -11,7 +11,7 @@
 #endif
 #define FN [[gnu::always_inline]] inline
 // Long functions that several entries call: compiled once a unit. Static, so still nothing for the linker to merge.
-#define FN_SHARED [[gnu::noinline]] static
+#define FN_SHARED [[gnu::noinline, maybe_unused]] static
 #define IN(T) const T&
 #define OUT(T) T&
 
