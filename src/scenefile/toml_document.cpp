@@ -16,41 +16,64 @@ std::size_t skip_string(std::string_view text, std::size_t i) {
   const char quote = text[i];
   const std::string three(3, quote);
   const bool many_lines = text.substr(i, 3) == three;
-  for (i += many_lines ? 3 : 1; i < text.size(); ++i) {
+  const std::string closing = many_lines ? three : std::string(1, quote);
+  for (i += closing.size(); i < text.size(); ++i) {
     if (quote == '"' && text[i] == '\\') {
       ++i;
-    } else if (many_lines ? text.substr(i, 3) == three : text[i] == quote) {
-      return i + (many_lines ? 3 : 1);
+    } else if (text.substr(i, closing.size()) == closing) {
+      i += closing.size();
+      // A string of several lines may end in one or two quotes of its own, before the three that close it.
+      for (int own = 0; many_lines && own < 2 && i < text.size() && text[i] == quote; ++own) ++i;
+      return i;
     } else if (!many_lines && text[i] == '\n') {
       return i;  // not closed: toml++ will say so
     }
   }
-  return i;
+  return text.size();
 }
 
-/// toml++ 3.3 makes and destroys nested values, and tables of dotted keys, by recursion without a bound of its own on
-/// dots.
-void refuse_deep_nesting(std::string_view text, const std::string& file) {
-  constexpr int deepest = 24;
-  int depth = 0, dots = 0;
-  for (std::size_t i = 0; i < text.size();) {
+bool has_non_ascii(std::string_view text) {
+  return std::any_of(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) >= 0x80; });
+}
+
+/// Refuses what toml++ 3.3 does not bear. It makes and destroys nested values, and the tables of dotted keys, by
+/// recursion with no bound of its own on dots. It asserts rather than reports when '}' stands where an array expects a
+/// value. And its test for blanks is undefined for most characters beyond ASCII: they are legal in quotes and comments,
+/// where it asks only after a backslash in a multi-line string.
+void refuse_unbearable(std::string_view text, const std::string& file) {
+  constexpr std::size_t deepest = 24;
+  std::string open;  // brackets
+  std::size_t dots = 0;
+  const auto fail = [&](std::size_t i, const std::string& what) {
+    const auto line = 1 + std::count(text.begin(), text.begin() + std::ptrdiff_t(i), '\n');
+    throw InputError(at_line(file, std::size_t(line)) + what);
+  };
+  const std::string_view byte_order_mark = "\xEF\xBB\xBF";
+  for (std::size_t i = text.starts_with(byte_order_mark) ? byte_order_mark.size() : 0; i < text.size();) {
     const char c = text[i];
     if (c == '"' || c == '\'') {
-      i = skip_string(text, i);
+      const std::size_t end = skip_string(text, i);
+      if (text.substr(i, 3) == R"(""")" && has_non_ascii(text.substr(i, end - i))) {
+        fail(i, "expected ASCII in a string of several lines");
+      }
+      i = end;
       continue;
     }
     if (c == '#') {
       i = std::min(text.find('\n', i), text.size());
       continue;
     }
+    if (has_non_ascii(text.substr(i, 1))) fail(i, "expected ASCII outside quotes and comments");
+    if (c == '[' || c == '{') open += c;
+    if (c == ']' || c == '}') {
+      const char opening = c == ']' ? '[' : '{';
+      if (open.empty() || open.back() != opening) fail(i, std::string("'") + c + "' closes no '" + opening + "'");
+      open.pop_back();
+    }
     if (c == '.') ++dots;
-    if (c == '[' || c == '{') ++depth;
-    if (c == ']' || c == '}') depth = std::max(0, depth - 1);
     if (std::string_view("[]{},=\n").find(c) != std::string_view::npos) dots = 0;
-    if (depth > deepest || dots > deepest) {
-      const auto line = 1 + std::count(text.begin(), text.begin() + std::ptrdiff_t(i), '\n');
-      throw InputError(at_line(file, std::size_t(line)) + "expected at most " + std::to_string(deepest) +
-                       " levels of nesting");
+    if (open.size() > deepest || dots > deepest) {
+      fail(i, "expected at most " + std::to_string(deepest) + " levels of nesting");
     }
     ++i;
   }
@@ -83,7 +106,7 @@ std::optional<double> as_number(const toml::node& node) {
 }  // namespace
 
 toml::table parse_toml(std::string_view text, const std::string& file) {
-  refuse_deep_nesting(text, file);
+  refuse_unbearable(text, file);
   try {
     return toml::parse(text, file);
   } catch (const toml::parse_error& error) {

@@ -195,6 +195,12 @@ TEST(BadAtmospheres, get_file_line_key_value_and_range) {
        good[12] + "\n[[constituent]]\nname = \"o3\"\nprofile = { type = \"tent\", altitude = 9e8, half_width = 1 "
                   "}\nabsorption = { type = \"column\", dobson = 300, cross_section = 1e-25 }",
        {"air.toml:17: ", "profile holds air"}},
+      {4,
+       "alb\xC3\xA9"
+       "do = 1",
+       {"air.toml:4: ", "expected ASCII outside quotes and comments"}},
+      {4, "name = \"\xFF\"", {"air.toml:4: "}},
+      {4, "albedo = { wavelengths = [400, }", {"air.toml:4: ", "'}' closes no '{'"}},
       {5, "[sun", {"air.toml:5: "}},
       {4, "albedo = ", {"air.toml:4: "}},
       {4, "albedo = 0.1\nalbedo = 0.2", {"air.toml:5: "}},
@@ -209,6 +215,16 @@ TEST(BadAtmospheres, get_file_line_key_value_and_range) {
            }() +
            " = 1",
        {"air.toml:4: ", "levels of nesting"}},
+      {4,
+       "a = [\"\"\"x\"\"\"\"\", {b" +
+           [] {
+             std::string dots;
+             for (int i = 0; i < 100; ++i) dots += ".b";
+             return dots;
+           }() +
+           " = 1}]",
+       {"air.toml:4: ", "levels of nesting"}},
+      {4, "a = \"\"\"\\\n\xC3\xA9\"\"\"", {"air.toml:4: ", "expected ASCII in a string of several lines"}},
       // bases and overrides
       {1, "base = \"erth\"\n[planet]", {"air.toml:1: ", "base = \"erth\": unknown atmosphere; did you mean earth?"}},
       {1,
