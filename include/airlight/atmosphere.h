@@ -45,7 +45,7 @@ using Profile = std::variant<ExponentialProfile, TentProfile, LayersProfile, Tab
 
 /// Relative density at an altitude [m]; below 0 the value at 0 continues.
 double density(const Profile& profile, double altitude);
-/// Mean density between two altitudes [m], exact to rounding (closed forms between kinks).
+/// Mean density between two altitudes [m], exact to rounding (between kinks a closed form, or a Gauss rule that is as good).
 double mean_density(const Profile& profile, double from, double to);
 /// Altitudes [m], increasing, inside (0, top) where the density or its slope jumps.
 std::vector<double> kinks(const Profile& profile, double top);
@@ -130,7 +130,7 @@ Atmosphere built_in_atmosphere(std::string_view name);
 Atmosphere with_overrides(Atmosphere atmosphere, const AirOverrides& overrides);
 /// Checks every value's range. @throws InputError naming key, value and legal range.
 void validate(const Atmosphere& atmosphere);
-/// Wavelengths [nm] for which every spectrum has data.
+/// Wavelengths [nm] for which every spectrum has data; 200 to 4000 nm where all are laws that hold everywhere.
 Spectrum::Range wavelength_range(const Atmosphere& atmosphere);
 
 /// 1 Dobson unit in molecules per square metre.
