@@ -34,8 +34,9 @@ void evaluate(Part& part, std::size_t count, const Integrand& integrand) {
 
 }  // namespace
 
-std::vector<double> integrate(std::span<const double> breaks, std::size_t count, double tolerance, int parts,
-                              const Integrand& integrand) {
+std::vector<double> integrate(std::span<const double> breaks, std::span<const double> floors, double tolerance,
+                              int parts, const Integrand& integrand) {
+  const std::size_t count = floors.size();
   std::vector<Part> all;
   for (std::size_t i = 1; i < breaks.size(); ++i)
     for (int k = 0; k < parts; ++k) {
@@ -51,7 +52,7 @@ std::vector<double> integrate(std::span<const double> breaks, std::size_t count,
       for (std::size_t k = 0; k < count; ++k) total[k] += part.kronrod[k];
     const auto converged = [&](const Part& part) {
       for (std::size_t k = 0; k < count; ++k)
-        if (part.difference[k] > tolerance * std::max(total[k], smallest)) return false;
+        if (part.difference[k] > tolerance * std::max({total[k], floors[k], smallest})) return false;
       return true;
     };
     std::vector<Part> next;

@@ -1,4 +1,4 @@
-// The air as the solvers see it: concentric shells between which every density is smooth, and columns along lines.
+// The air as the solvers see it: concentric shells in which every density is a polynomial, and columns along lines.
 #pragma once
 #include <span>
 #include <vector>
@@ -18,16 +18,18 @@ double half_chord(double radius, double impact);
 /// lowest point: radius = hypot(impact, t) cancels nowhere.
 class Air {
  public:
-  /// @param nodes  Gauss nodes between two shells; shells are added until that many give columns to 1e-11 of the
-  /// vertical
-  ///               one, for lines that cross the shells and for lines that graze them
-  Air(const Atmosphere& atmosphere, int nodes);
+  /// @param fineness  multiplies the number of shells to begin with and of Gauss nodes in each
+  Air(const Atmosphere& atmosphere, int fineness);
 
   int constituents() const { return int(profiles_.size()); }
-  double planet_radius() const { return planet_radius_; }     ///< of altitude 0 [m]
-  double top_radius() const { return shells_.back(); }        ///< vacuum beyond [m]
-  std::span<const double> shells() const { return shells_; }  ///< radii [m], altitude 0 first
-  std::span<const double> kinks() const { return kinks_; }    ///< the shells [m] where a density or its slope jumps
+  double planet_radius() const { return planet_radius_; }   ///< of altitude 0 [m]
+  double top_radius() const { return shells_.back().top; }  ///< vacuum beyond [m]
+
+  /// Radii [m], altitude 0 and top included, between which the air changes so gently that ten points notice all of it:
+  /// where a quadrature that refines itself may start.
+  std::span<const double> landmarks() const { return landmarks_; }
+  /// Radii [m], top included, where a density jumps.
+  std::span<const double> jumps() const { return jumps_; }
 
   /// Relative densities at a radius [m], inside the top.
   void densities(double radius, std::span<double> densities) const;
@@ -36,14 +38,24 @@ class Air {
   void add_columns(double impact, double from, double to, std::span<double> columns) const;
 
  private:
-  void add_rising_columns(double impact, double from, double to, std::span<double> columns) const;
-  void add_smooth_columns(double impact, double from, double to, std::span<double> columns) const;
+  /// Chebyshev series in z = (radius - middle) / half_thickness, a row of all constituents for each order. Trimmed to
+  /// what matters: an error of the optical depth counts absolutely (T = exp(-tau)), so one tolerance serves all
+  /// altitudes.
+  struct Shell {
+    double top, middle, half_thickness;
+    std::vector<double> series;
+  };
+
+  void find_landmarks(std::span<const double> edges);
   void add_shells(double bottom, double top, std::span<const double> tolerances, int depth);
+  void add_rising_columns(double impact, double from, double to, std::span<double> columns) const;
+  void add_columns_inside(const Shell& shell, double impact, double from, double to, std::span<double> columns) const;
 
   std::vector<Profile> profiles_;
   double planet_radius_;
-  GaussRule rule_;
-  std::vector<double> kinks_, shells_;
+  std::vector<GaussRule> rules_;  // for series of order 0, 1, 2, ...
+  std::vector<Shell> shells_;     // the first reaches down from altitude 0, and has its density
+  std::vector<double> landmarks_, jumps_;
 };
 
 }  // namespace airlight::reference

@@ -97,8 +97,8 @@ std::vector<double> Path::breaks(const Air& air, double sun_radius) const {
     if (t > begin && t < end) breaks.push_back(t);
   };
   add(0);
-  for (const double shell : air.shells()) {
-    const double t = half_chord(shell, impact);
+  for (const double radius : air.landmarks()) {
+    const double t = half_chord(radius, impact);
     if (t > 0) {
       add(-t);
       add(t);
@@ -109,7 +109,7 @@ std::vector<double> Path::breaks(const Air& air, double sun_radius) const {
     if (sun_radius > 0) add_grazing_points(radius, -sun_radius, breaks);
   };
   add_grazing(ground_radius);
-  for (const double kink : air.kinks()) add_grazing(kink);
+  for (const double jump : air.jumps()) add_grazing(jump);
   std::sort(breaks.begin(), breaks.end());
   breaks.erase(std::unique(breaks.begin(), breaks.end()), breaks.end());
   return breaks;

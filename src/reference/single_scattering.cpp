@@ -12,9 +12,6 @@
 namespace airlight::reference {
 namespace {
 
-constexpr int column_nodes = 10;
-constexpr double disc_share = 0.1;  // the disc's tolerance over the ray's: else its noise would refine the ray
-
 class Solver {
  public:
   Solver(const Atmosphere& atmosphere, const SingleScatteringSettings& settings, const Air& air, const Path& path,
@@ -22,7 +19,8 @@ class Solver {
       : settings_(settings),
         air_(air),
         path_(path),
-        disc_(atmosphere.sun, wavelengths, settings.point_sun, disc_share * settings.tolerance, settings.fineness),
+        disc_(atmosphere.sun, wavelengths, settings.point_sun, settings.tolerance, settings.fineness),
+        centre_(atmosphere.sun, wavelengths, true, 1, 1),
         count_(wavelengths.size()) {
     for (const Constituent& constituent : atmosphere.constituents) {
       const double p = phase(constituent.phase, path.one_minus_cos);
@@ -35,21 +33,26 @@ class Solver {
   }
 
   /// Share of the sun's irradiance that arrives at a point: normal to the beam, or on a horizontal plane.
-  std::vector<double> illumination(const Illuminated& point, bool horizontal = false) const {
-    std::vector<double> kinks;
-    if (point.sun_elevation < disc_.radius())
-      for (const double kink : air_.kinks())
-        if (kink < point.radius) kinks.push_back(std::atan2(half_chord(point.radius, kink), kink));
+  /// @param floors  for each wavelength, a share below which precision is wasted
+  std::vector<double> illumination(const SunDisc& disc, const Illuminated& point, std::span<const double> floors,
+                                   bool horizontal = false) const {
+    std::vector<double> jumps;
+    if (point.sun_elevation < disc.radius())
+      for (const double jump : air_.jumps())
+        if (jump < point.radius) jumps.push_back(std::atan2(half_chord(point.radius, jump), jump));
     std::vector<double> columns(air_.constituents());
-    return disc_.average(
-        point.sun_elevation, point.horizon, kinks, [&](const SunDisc::Element& element, std::span<double> light) {
-          std::fill(columns.begin(), columns.end(), 0.0);
-          air_.add_columns(point.radius * element.cos_elevation, point.radius * element.sin_elevation,
-                           std::numeric_limits<double>::infinity(), columns);
-          // The disc's weights hold the projection on the beam; a horizontal plane has another one.
-          const double plane = horizontal ? std::max(element.sin_elevation, 0.0) / element.projection : 1.0;
-          for (std::size_t w = 0; w < light.size(); ++w) light[w] = plane * std::exp(-optical_depth(columns, w));
-        });
+    const auto transmission = [&](const SunDisc::Element& element, std::span<double> light) {
+      std::fill(columns.begin(), columns.end(), 0.0);
+      air_.add_columns(point.radius * element.cos_elevation, point.radius * element.sin_elevation,
+                       std::numeric_limits<double>::infinity(), columns);
+      // The disc's weights hold the projection on the beam; a horizontal plane has another one.
+      const double plane = horizontal ? std::max(element.sin_elevation, 0.0) / element.projection : 1.0;
+      for (std::size_t w = 0; w < light.size(); ++w) light[w] = plane * std::exp(-optical_depth(columns, w));
+    };
+    return disc.average(point.sun_elevation, point.horizon, jumps, floors, transmission);
+  }
+  std::vector<double> illumination(const Illuminated& point, bool horizontal = false) const {
+    return illumination(disc_, point, std::vector<double>(count_, 0.0), horizontal);
   }
 
   double optical_depth(std::span<const double> columns, std::size_t wavelength) const {
@@ -67,28 +70,39 @@ class Solver {
 
   /// Scattered light along the path for a sun of irradiance 1.
   std::vector<double> path_radiance() const {
-    std::vector<double> columns(air_.constituents()), densities(air_.constituents());
-    return integrate(path_.breaks(air_, disc_.radius()), count_, settings_.tolerance, settings_.fineness,
-                     [&](double t, std::span<double> radiance) {
-                       std::fill(columns.begin(), columns.end(), 0.0);
-                       air_.add_columns(path_.impact, path_.begin, t, columns);
-                       const Illuminated point = path_.at(t);
-                       air_.densities(point.radius, densities);
-                       const std::vector<double> light = illumination(point);
-                       for (std::size_t w = 0; w < count_; ++w) {
-                         double source = 0;
-                         for (std::size_t c = 0; c < densities.size(); ++c)
-                           source += source_[c * count_ + w] * densities[c];
-                         radiance[w] = source * light[w] * std::exp(-optical_depth(columns, w));
-                       }
-                     });
+    // A point sun's light, roughly and cheaply, tells what matters: most of the work would else go into the disc's last
+    // glow in places that add nothing to the ray.
+    std::vector<double> mean = path_radiance(centre_, 0.1, std::vector<double>(count_, 0.0));
+    for (double& radiance : mean) radiance /= std::max(path_.end - path_.begin, 1e-3);
+    return path_radiance(disc_, settings_.tolerance, mean);
   }
 
  private:
+  /// @param mean  expected result over the path's length; a source of less needs less precision
+  std::vector<double> path_radiance(const SunDisc& disc, double tolerance, std::span<const double> mean) const {
+    std::vector<double> columns(air_.constituents()), densities(air_.constituents()), floors(count_);
+    const auto source = [&](double t, std::span<double> radiance) {
+      std::fill(columns.begin(), columns.end(), 0.0);
+      air_.add_columns(path_.impact, path_.begin, t, columns);
+      const Illuminated point = path_.at(t);
+      air_.densities(point.radius, densities);
+      for (std::size_t w = 0; w < count_; ++w) {
+        radiance[w] = 0;
+        for (std::size_t c = 0; c < densities.size(); ++c) radiance[w] += source_[c * count_ + w] * densities[c];
+        radiance[w] *= std::exp(-optical_depth(columns, w));
+        floors[w] = radiance[w] > mean[w] ? mean[w] / radiance[w] : 1;
+      }
+      const std::vector<double> light = illumination(disc, point, floors);
+      for (std::size_t w = 0; w < count_; ++w) radiance[w] *= light[w];
+    };
+    return integrate(path_.breaks(air_, disc.radius()), std::vector<double>(count_, 0.0), tolerance, settings_.fineness,
+                     source);
+  }
+
   const SingleScatteringSettings& settings_;
   const Air& air_;
   const Path& path_;
-  SunDisc disc_;
+  SunDisc disc_, centre_;
   std::size_t count_;
   std::vector<double> extinction_, source_;  // constituent by wavelength [1/m], [1/(m sr)]
 };
@@ -96,7 +110,7 @@ class Solver {
 }  // namespace
 
 SingleScattering::SingleScattering(const Atmosphere& atmosphere, SingleScatteringSettings settings)
-    : atmosphere_(atmosphere), settings_(settings), air_(atmosphere, column_nodes * settings.fineness) {}
+    : atmosphere_(atmosphere), settings_(settings), air_(atmosphere, settings.fineness) {}
 
 RayLight SingleScattering::along(const Ray& ray, std::span<const double> wavelengths) const {
   const Path path(ray, air_);

@@ -10,10 +10,9 @@
 namespace airlight::reference {
 
 struct SingleScatteringSettings {
-  bool point_sun = false;  ///< all sunlight from the sun's centre, else from the disc
-  double tolerance =
-      1e-5;          ///< a part of a ray is halved until its 7- and 15-point sums differ by less than this share of the
-                     ///< whole; the 15-point sums, which count, are then better than 1e-8 (tests/reference)
+  bool point_sun = false;   ///< all sunlight from the sun's centre, else from the disc
+  double tolerance = 3e-7;  ///< a part of a ray, or of the disc, is halved until its 7- and 15-point sums differ by
+                            ///< less than this share of the whole; the 15-point sums, which count, are better
   int fineness = 1;  ///< multiplies every fixed number of nodes and parts, for refinement studies
 };
 

@@ -52,7 +52,7 @@ void SunDisc::weigh(double sin_theta, std::span<double> values) const {
 }
 
 std::vector<double> SunDisc::average(double elevation, double horizon, std::span<const double> kinks,
-                                     const Transmission& transmission) const {
+                                     std::span<const double> floors, const Transmission& transmission) const {
   std::vector<double> none(exponents_.size(), 0.0);
   if (radius_ == 0) {
     if (elevation >= -horizon) transmission({std::sin(elevation), std::cos(elevation), 1}, none);
@@ -66,11 +66,11 @@ std::vector<double> SunDisc::average(double elevation, double horizon, std::span
     if (x > std::max(lowest, -1.0) && x < 1) breaks.push_back(std::acos(x));
   }
   if (breaks.size() == 2 && lowest <= -1) {
-    std::vector<double> whole = average_whole(elevation, transmission);
+    std::vector<double> whole = average_whole(elevation, floors, transmission);
     if (!whole.empty()) return whole;
   }
   std::sort(breaks.begin(), breaks.end());
-  return integrate(breaks, none.size(), tolerance_, fineness_, [&](double theta, std::span<double> values) {
+  return integrate(breaks, floors, tolerance_, fineness_, [&](double theta, std::span<double> values) {
     transmission(element(elevation, std::cos(theta)), values);
     weigh(std::sin(theta), values);
   });
@@ -78,7 +78,8 @@ std::vector<double> SunDisc::average(double elevation, double horizon, std::span
 
 // The usual case, a whole disc whose light varies little: one rule in theta, the weights made to add to 1, is enough.
 // Empty where its Gauss and Kronrod sums differ.
-std::vector<double> SunDisc::average_whole(double elevation, const Transmission& transmission) const {
+std::vector<double> SunDisc::average_whole(double elevation, std::span<const double> floors,
+                                           const Transmission& transmission) const {
   const std::size_t count = exponents_.size();
   std::vector<double> sum(count, 0.0), weight_sum(count, 0.0), gauss(count, 0.0), gauss_weight_sum(count, 0.0),
       values(count), weights(count);
@@ -97,7 +98,7 @@ std::vector<double> SunDisc::average_whole(double elevation, const Transmission&
   }
   for (std::size_t w = 0; w < count; ++w) {
     sum[w] /= weight_sum[w];
-    if (std::abs(sum[w] - gauss[w] / gauss_weight_sum[w]) > tolerance_ * sum[w]) return {};
+    if (std::abs(sum[w] - gauss[w] / gauss_weight_sum[w]) > tolerance_ * std::max(sum[w], floors[w])) return {};
   }
   return sum;
 }

@@ -18,7 +18,8 @@ namespace airlight::reference {
 class SunDisc {
  public:
   /// @param point      take all light from the centre
-  /// @param tolerance  relative, of the average's quadrature
+  /// @param tolerance  of an average's quadrature, relative to the average or its floor
+  /// @param fineness   parts to begin with between two breaks
   SunDisc(const Sun& sun, std::span<const double> wavelengths, bool point, double tolerance, int fineness);
 
   double radius() const { return radius_; }  ///< angular [rad]; 0 for a point sun
@@ -35,11 +36,13 @@ class SunDisc {
   /// @param elevation  of the sun's centre [rad]
   /// @param horizon    depression of the horizon [rad]
   /// @param kinks      further depressions [rad] where transmission depends on elevation with a kink
+  /// @param floors     for each wavelength, an average below which precision is wasted
   std::vector<double> average(double elevation, double horizon, std::span<const double> kinks,
-                              const Transmission& transmission) const;
+                              std::span<const double> floors, const Transmission& transmission) const;
 
  private:
-  std::vector<double> average_whole(double elevation, const Transmission& transmission) const;
+  std::vector<double> average_whole(double elevation, std::span<const double> floors,
+                                    const Transmission& transmission) const;
   Element element(double sun_elevation, double x) const;
   double height_of(double sun_elevation, double elevation) const;
   void weigh(double sin_theta, std::span<double> values) const;
