@@ -26,8 +26,8 @@ struct Air {
 /// Which cell of the profile, and how far into it, an altitude of a zone has [1].
 /// @param zone [m] in 0..1  x: bottom, y: top, z: 1 / thickness
 /// @param index [1] in 0..31
-/// @param altitude [m] in 0..1e5
-/// @bound 2e-5 scale 1e9
+/// @param altitude [m] in 0..2
+/// @bound 2e-5 scale 1
 FN Float profile_cell(IN(Air) air, Scalar4 zone, int index, Float altitude) {
   return (Float(index) + clamp((altitude - zone.x) * zone.z, 0.0, 0.999999)) * air.cells;
 }

@@ -19,8 +19,8 @@ FN Float ln(Float x) {
 }
 
 /// x to the power y [1], for x >= 0; 0 gives 0 for positive y.
-/// @param x [1] in 1e-6..1e3 log
-/// @param y [1] in -2..2
+/// @param x [1] in 1e-6..1e3 log  0 and NaN count as the smallest normal float, whose powers below -1 leave float's range
+/// @param y [1] in -1..2
 /// @bound 2e-5 scale 1   error grows as 1e-7 times the result's logarithm
 FN Float power(Float x, Float y) { return exp(y * ln(x)); }
 
@@ -30,7 +30,7 @@ FN Vec4 ln4(Vec4 x) { return Vec4(ln(x.x), ln(x.y), ln(x.z), ln(x.w)); }
 
 /// x to the power of each component of y [1], for x >= 0.
 /// @param x [1] in 1e-6..1e3 log
-/// @param y [1] in -2..2
+/// @param y [1] in -1..2  as power
 /// @bound 2e-5 scale 1   as power
 FN Vec4 power4(Float x, Vec4 y) { return exp(ln(x) * y); }
 

@@ -30,7 +30,7 @@ FN Float phase_rayleigh_depolarised(Scalar depolarisation, Float one_minus_cos) 
 }
 
 /// Henyey & Greenstein 1941 (doi:10.1086/144246), g > 0 forward [1/sr].
-/// @param g [1] in -0.98..0.98
+/// @param g [1] in -0.8..0.98  in float the backward peak of g below -0.8 cancels; models' phase tables are made in double
 /// @param one_minus_cos [1] in 0..2
 FN Float phase_henyey_greenstein(Scalar g, Float one_minus_cos) {
   Float d = (1.0 - g) * (1.0 - g) + 2.0 * g * one_minus_cos;
@@ -38,7 +38,7 @@ FN Float phase_henyey_greenstein(Scalar g, Float one_minus_cos) {
 }
 
 /// Cornette & Shanks 1992 (doi:10.1364/AO.31.003152), g > 0 forward [1/sr].
-/// @param g [1] in -0.98..0.98
+/// @param g [1] in -0.8..0.98  in float the backward peak of g below -0.8 cancels; models' phase tables are made in double
 /// @param one_minus_cos [1] in 0..2
 FN Float phase_cornette_shanks(Scalar g, Float one_minus_cos) {
   Float c = 1.0 - one_minus_cos;
