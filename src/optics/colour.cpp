@@ -95,7 +95,7 @@ std::vector<std::vector<double>> family(const Atmosphere& atmosphere) {
   const Observer& eye = observer();
   const std::size_t n = eye.wavelengths.size();
   const double top = atmosphere.planet.top_altitude;
-  std::vector<double> sun(n), depth(n, 0), albedo(n);
+  std::vector<double> sun(n), depth(n, 0), absorbed(n, 0), albedo(n);
   std::vector<std::vector<double>> scattering;
   for (std::size_t i = 0; i < n; ++i) {
     sun[i] = atmosphere.sun.irradiance.at(eye.wavelengths[i]);
@@ -103,28 +103,34 @@ std::vector<std::vector<double>> family(const Atmosphere& atmosphere) {
   }
   for (const Constituent& c : atmosphere.constituents) {
     const double column = mean_density(c.profile, 0, top) * top;
-    std::vector<double> s(n);
+    std::vector<double> s(n), a(n);
     double total = 0;
     for (std::size_t i = 0; i < n; ++i) {
       s[i] = c.scattering.at(eye.wavelengths[i]);
+      a[i] = c.absorption.at(eye.wavelengths[i]) * column;
       total += s[i];
-      depth[i] += (s[i] + c.absorption.at(eye.wavelengths[i])) * column;
+      depth[i] += s[i] * column + a[i];
     }
     if (total > 0) scattering.push_back(std::move(s));
+    else for (std::size_t i = 0; i < n; ++i) absorbed[i] += a[i];  // a layer of its own, as ozone
   }
   scattering.push_back(albedo);
   scattering.emplace_back(n, 1.0);  // the sun itself
   std::vector<std::vector<double>> spectra;
   for (const auto& s : scattering) {
-    for (double mass : {0.0, 0.5, 1.0, 2.0, 4.0, 8.0, 15.0, 25.0, 40.0}) {
-      std::vector<double> spectrum(n), saturated(n);
-      for (std::size_t i = 0; i < n; ++i) {
-        spectrum[i] = sun[i] * s[i] * std::exp(-mass * depth[i]);
-        // Light of a long path of air that shines and dims itself, as near the horizon.
-        saturated[i] = sun[i] * s[i] * (mass * depth[i] > 1e-9 ? -std::expm1(-mass * depth[i]) / (mass * depth[i]) : 1);
+    for (double mass : {0.0, 0.5, 1.0, 2.0, 4.0, 8.0, 15.0, 25.0}) {
+      // Twilight reaches the eye through far more of a high absorbing layer than of the air below it.
+      for (double layer : {0.0, 10.0, 25.0}) {
+        std::vector<double> spectrum(n), saturated(n);
+        for (std::size_t i = 0; i < n; ++i) {
+          const double light = sun[i] * s[i] * std::exp(-layer * absorbed[i]), path = mass * depth[i];
+          spectrum[i] = light * std::exp(-path);
+          // Light of a long path of air that shines and dims itself, as near the horizon.
+          saturated[i] = light * (path > 1e-9 ? -std::expm1(-path) / path : 1);
+        }
+        spectra.push_back(std::move(spectrum));
+        if (mass > 0) spectra.push_back(std::move(saturated));
       }
-      spectra.push_back(std::move(spectrum));
-      if (mass > 0) spectra.push_back(std::move(saturated));
     }
   }
   return spectra;

@@ -21,7 +21,8 @@ std::vector<Xyz> colour_weights(const Atmosphere& atmosphere, std::span<const do
 /// Linear sRGB (IEC 61966-2-1 primaries, D65) of XYZ.
 std::array<double, 3> xyz_to_srgb(const Xyz& xyz);
 
-/// The four wavelengths [nm] of real time.
-inline constexpr std::array<double, 4> realtime_quad{450, 510, 570, 630};
+/// The four wavelengths [nm] of real time: of all quads on a 10 nm grid the one whose colour differs least from that of 40 wavelengths
+/// over skies of clear and hazy air with the sun from 60 degrees down to -9 (root mean square 0.001, worst 0.003 in CIE u'v').
+inline constexpr std::array<double, 4> realtime_quad{445, 515, 565, 635};
 
 }  // namespace airlight
