@@ -56,7 +56,7 @@ std::string bytes(const std::vector<double>& numbers) {
 }
 
 int answer_vectors(const EvalOptions& options) {
-  const auto engine = make_engine(options.engine);
+  const auto engine = engine_named(options.engine);
   bool all_answered = true;
   const auto answer_chunk = [&](const std::string& name, std::span<const LineReader::Line> lines) {
     std::vector<Job> jobs;

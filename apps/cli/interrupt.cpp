@@ -11,17 +11,23 @@ namespace airlight::cli {
 namespace {
 volatile std::sig_atomic_t flag = 0;
 
+// Both may do only what POSIX allows in a signal handler.
+void leave(int) {
+  OutputFile::remove_all();
+  constexpr char message[] = "airlight: interrupted; nothing was written\n";
+  [[maybe_unused]] const auto written = write(STDERR_FILENO, message, sizeof message - 1);
+  _exit(130);
+}
 void on_signal(int) {
-  if (flag) {
-    OutputFile::remove_all();
-    _exit(130);
-  }
+  if (flag) leave(0);
   flag = 1;
+  alarm(1);
 }
 
 }  // namespace
 
 void catch_interrupts() {
+  std::signal(SIGALRM, leave);
   struct sigaction action = {};
   action.sa_handler = on_signal;  // without SA_RESTART: a read that waits for input returns, and the flag is seen
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {

@@ -9,8 +9,8 @@ struct Interrupted : std::exception {
   const char* what() const noexcept override { return "interrupted"; }
 };
 
-/// From now on SIGINT, SIGTERM and SIGHUP set a flag; a second one ends the program on the spot, temporary files
-/// removed.
+/// From now on SIGINT, SIGTERM and SIGHUP set a flag. Where nobody looks at it for a second (a strip of many seconds, a
+/// pipe that nobody reads), or at a second signal, the program ends on the spot, with its temporary files removed.
 void catch_interrupts();
 bool interrupted();
 /// @throws Interrupted when the flag is set.

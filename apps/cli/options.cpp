@@ -18,6 +18,14 @@ const char* const air_group = "Air";
 const char* const sun_group = "Sun";
 const char* const machine_group = "Model and engine";
 
+constexpr std::string_view engines[] = {"double", "simd", "gl"};
+
+template <typename Names>
+void check_name(std::string_view name, std::string_view option, const Names& names) {
+  if (std::find(std::begin(names), std::end(names), name) == std::end(names))
+    throw InputError(fmt::format("{} = {}: unknown{}", option, name, did_you_mean(name, names)));
+}
+
 template <typename Names>
 std::string join(const Names& names) {
   std::string text;
@@ -116,20 +124,21 @@ void MachineOptions::add_to(CLI::App& app) {
 }
 
 void add_engine(CLI::App& app, std::string& engine) {
-  app.add_option("--engine", engine, fmt::format("double, simd, gl (default {})", engine))
+  app.add_option("--engine", engine, fmt::format("{} (default {})", join(engines), engine))
       ->group(machine_group)
       ->type_name("NAME");
 }
 
-void check_model_name(std::string_view model, std::string_view option) {
-  const auto names = model_names();
-  if (std::find(names.begin(), names.end(), model) == names.end())
-    throw InputError(fmt::format("{} = {}: unknown{}", option, model, did_you_mean(model, names)));
-}
+void check_model_name(std::string_view model, std::string_view option) { check_name(model, option, model_names()); }
 
 void MachineOptions::check_model() const { check_model_name(model, "--model"); }
 
-std::shared_ptr<Engine> MachineOptions::make() const { return make_engine(engine); }
+std::shared_ptr<Engine> MachineOptions::make() const { return engine_named(engine); }
+
+std::shared_ptr<Engine> engine_named(const std::string& engine) {
+  check_name(engine, "--engine", engines);
+  return make_engine(engine);
+}
 
 std::string describe(const Engine& engine) { return fmt::format("{} ({})", engine.name(), engine.device()); }
 

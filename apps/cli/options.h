@@ -63,6 +63,8 @@ struct MachineOptions {
 };
 /// --engine alone
 void add_engine(CLI::App& app, std::string& engine);
+/// @throws InputError for unknown names, with "did you mean"; WorkError where the engine cannot run.
+std::shared_ptr<Engine> engine_named(const std::string& engine);
 
 /// @throws InputError "--model = skyveiw: unknown; did you mean skyview?"
 void check_model_name(std::string_view model, std::string_view option);
