@@ -82,31 +82,22 @@ void Air::add_shells(double bottom, double top, std::span<const double> toleranc
 }
 
 void Air::find_landmarks(std::span<const double> edges) {
-  // Candidates: the edges, and between them steps over which no profile falls by more than some powers of e.
-  std::vector<double> candidates{edges.front()};
   const GaussRule rule(10);
-  const auto alike = [&](double bottom, double middle, double top) {
+  const auto seen = [&](double bottom, double top) {
     for (const Profile& profile : profiles_) {
-      const double parts = mass(profile, bottom, middle, rule) + mass(profile, middle, top, rule);
-      if (std::abs(mass(profile, bottom, top, rule) - parts) > 1e-4 * parts) return false;
+      const double middle = 0.5 * (bottom + top);
+      const double halves = mass(profile, bottom, middle, rule) + mass(profile, middle, top, rule);
+      if (std::abs(mass(profile, bottom, top, rule) - halves) > 0.01 * halves) return false;
     }
     return true;
   };
+  landmarks_.push_back(planet_radius_);
   for (std::size_t i = 1; i < edges.size(); ++i) {
-    int steps = 1;
-    const double width = edges[i] - edges[i - 1];
-    while (steps < 1024 && !alike(edges[i - 1], edges[i - 1] + 0.5 * width / steps, edges[i - 1] + width / steps))
-      steps *= 2;
-    for (int k = 1; k <= steps; ++k) candidates.push_back(std::lerp(edges[i - 1], edges[i], k / double(steps)));
+    int steps = 1;  // from a kink up, where densities are largest
+    while (steps < 1024 && !seen(edges[i - 1], edges[i - 1] + (edges[i] - edges[i - 1]) / steps)) steps *= 2;
+    for (int k = 1; k <= steps; ++k)
+      landmarks_.push_back(planet_radius_ + std::lerp(edges[i - 1], edges[i], k / double(steps)));
   }
-  landmarks_.push_back(planet_radius_ + candidates.front());
-  double bottom = candidates.front();
-  for (std::size_t i = 1; i + 1 < candidates.size(); ++i)
-    if (!alike(bottom, candidates[i], candidates[i + 1])) {
-      bottom = candidates[i];
-      landmarks_.push_back(planet_radius_ + bottom);
-    }
-  landmarks_.push_back(planet_radius_ + candidates.back());
 
   for (const double edge : edges)
     for (const Profile& profile : profiles_) {

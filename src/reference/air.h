@@ -25,8 +25,8 @@ class Air {
   double planet_radius() const { return planet_radius_; }   ///< of altitude 0 [m]
   double top_radius() const { return shells_.back().top; }  ///< vacuum beyond [m]
 
-  /// Radii [m], altitude 0 and top included, between which the air changes so gently that ten points notice all of it:
-  /// where a quadrature that refines itself may start.
+  /// Radii [m], altitude 0 and top included: all kinks, and between them steps so small that ten points notice every
+  /// change. A quadrature that refines itself may start from these.
   std::span<const double> landmarks() const { return landmarks_; }
   /// Radii [m], top included, where a density jumps.
   std::span<const double> jumps() const { return jumps_; }
