@@ -7,7 +7,7 @@
 
 #include "airlight/error.h"
 #include "json_line.h"
-#include "options.h"
+#include "number.h"
 
 namespace airlight::cli {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "answers.h"
+#include "question.h"
 
 namespace airlight::cli {
 

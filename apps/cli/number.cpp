@@ -2,9 +2,9 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <type_traits>
 
 #include "airlight/error.h"
 
@@ -35,41 +35,6 @@ int parse_whole(std::string_view text, std::string_view name, const Interval& in
 void check_number(double value, std::string_view name, const Interval& interval) {
   if (!(value >= interval.low && value <= interval.high))
     throw InputError(fmt::format("{} = {}: {}", name, value, expected(interval)));
-}
-
-namespace {
-
-template <typename Number>
-CLI::Option* add(CLI::App& app, const std::string& name, Number& value, const Interval& interval,
-                 const std::string& help) {
-  const auto read = [&value, name, interval](const std::string& text) {
-    if constexpr (std::is_same_v<Number, int>)
-      value = parse_whole(text, name, interval);
-    else
-      value = parse_number(text, name, interval);
-  };
-  const std::string range = fmt::format("{:g} .. {:g}", interval.low, interval.high);
-  return app
-      .add_option_function<std::string>(
-          name, read, fmt::format("{} [{}{}{}]", help, interval.unit, interval.unit.empty() ? "" : ", ", range))
-      ->type_name("NUMBER");
-}
-
-}  // namespace
-
-CLI::Option* add_number(CLI::App& app, const std::string& name, double& value, Interval interval,
-                        const std::string& help) {
-  return add(app, name, value, interval, fmt::format("{} (default {:g})", help, value));
-}
-
-CLI::Option* add_number(CLI::App& app, const std::string& name, int& value, Interval interval,
-                        const std::string& help) {
-  return add(app, name, value, interval, fmt::format("{} (default {})", help, value));
-}
-
-CLI::Option* add_number(CLI::App& app, const std::string& name, std::optional<double>& value, Interval interval,
-                        const std::string& help) {
-  return add(app, name, value, interval, help);
 }
 
 std::vector<double> parse_wavelengths(const std::string& text, std::string_view name) {

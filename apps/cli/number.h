@@ -1,7 +1,5 @@
-// Numbers on the command line: finite, inside a stated range, with a unit that --help and the message name.
+// Numbers from outside: finite and inside a stated range, which the message names with its unit.
 #pragma once
-#include <CLI/CLI.hpp>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,13 +22,6 @@ int parse_whole(std::string_view text, std::string_view name, const Interval& in
 /// @throws InputError in the same form.
 void check_number(double value, std::string_view name, const Interval& interval);
 
-/// Adds an option that takes one number; its range and unit go into the help text.
-CLI::Option* add_number(CLI::App& app, const std::string& name, double& value, Interval interval,
-                        const std::string& help);
-CLI::Option* add_number(CLI::App& app, const std::string& name, int& value, Interval interval, const std::string& help);
-CLI::Option* add_number(CLI::App& app, const std::string& name, std::optional<double>& value, Interval interval,
-                        const std::string& help);
-
 /// Wavelengths [nm]: "440,550,680" or first:last:step ("400:700:50", both ends included).
 /// @throws InputError.
 std::vector<double> parse_wavelengths(const std::string& text, std::string_view name);
@@ -38,6 +29,8 @@ std::vector<double> parse_wavelengths(const std::string& text, std::string_view 
 /// Wavelengths [nm] that any input may name; an atmosphere's own data are narrower.
 inline constexpr Interval any_wavelength{1e-3, 1e6, "nm"};
 inline constexpr std::size_t most_wavelengths = 4096;
+
+inline constexpr double lowest_altitude = -20'000, highest_altitude = 1e12;  ///< [m]
 
 inline constexpr double degree = 0.017453292519943295;  ///< [rad]
 

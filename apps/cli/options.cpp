@@ -7,7 +7,7 @@
 #include "airlight/error.h"
 #include "airlight/sky.h"
 #include "did_you_mean.h"
-#include "number.h"
+#include "number_option.h"
 #include "scene/sun_position.h"
 #include "scenefile/atmosphere_file.h"
 

@@ -72,6 +72,4 @@ void check_model_name(std::string_view model, std::string_view option);
 /// "simd (avx512, 2 threads)"
 std::string describe(const Engine& engine);
 
-inline constexpr double lowest_altitude = -20'000, highest_altitude = 1e12;  ///< [m]
-
 }  // namespace airlight::cli

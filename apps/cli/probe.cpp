@@ -8,7 +8,7 @@
 #include "batch.h"
 #include "commands.h"
 #include "json_line.h"
-#include "number.h"
+#include "number_option.h"
 #include "options.h"
 #include "text_output.h"
 

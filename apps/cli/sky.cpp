@@ -13,7 +13,7 @@
 #include "did_you_mean.h"
 #include "image/picture_file.h"
 #include "interrupt.h"
-#include "number.h"
+#include "number_option.h"
 #include "options.h"
 #include "progress.h"
 
@@ -194,9 +194,9 @@ int run_sky(const SkyOptions& options) {
   std::string names;
   for (const std::string& path : options.outputs) names += (names.empty() ? "" : ", ") + path;
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
-  fmt::print(stderr, "{}: {} x {}, {}, {} on {}, sun at azimuth {:.2f}, elevation {:.2f} degrees; {:.2f} s\n", names,
+  fmt::print(stderr, "{}: {} x {}, {}, {} on {}, sun at azimuth {:.2f}, elevation {:.2f} degrees{}; {:.2f} s\n", names,
              camera.width * (cube ? cube_faces : 1), camera.height, sky.atmosphere().name, sky.model(),
-             describe(sky.engine()), sun.azimuth, sun.elevation, seconds);
+             describe(sky.engine()), sun.azimuth, sun.elevation, sun.refraction ? " with refraction" : "", seconds);
   for (std::size_t i = 0; i < files.size(); ++i)
     for (const std::string& note : files[i]->notes()) fmt::print(stderr, "{}: {}\n", options.outputs[i], note);
   return ok;
