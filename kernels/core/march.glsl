@@ -117,7 +117,10 @@ FN_SHARED void gather_light(IN(Air) air, int orders, Table2 zones, Table2 profil
   Float low = clamp(-along, 0.0, reach);
   Float dark = Float(0.0);
   Float light_again = Float(0.0);
-  planet_shadow(air.ground_radius, altitude, mu, mu_s, nu, dark, light_again);
+  // A smaller planet casts the shadow: what remains outside includes all of the penumbra, which the disc throws into the air.
+  Scalar penumbra = air.sun_radius * sqrt(2.0 * air.top_altitude * (air.ground_radius + air.top_altitude));
+  Scalar shadow_radius = max(air.ground_radius - penumbra, 0.5 * air.ground_radius);
+  planet_shadow(shadow_radius, altitude + (air.ground_radius - shadow_radius), mu, mu_s, nu, dark, light_again);
   int count = int(air.zones);
   int substeps = int(air.substeps);
   for (int leg = 0; leg < 2; ++leg) {
@@ -157,6 +160,8 @@ FN_SHARED void gather_light(IN(Air) air, int orders, Table2 zones, Table2 profil
               Float cell1 = profile_cell(air, zone, index, altitude1);
               Vec4 extinction0 = lookup_cell(profile, cell0, 0) * stride;
               Vec4 extinction1 = lookup_cell(profile, cell1, 0) * stride;
+              Vec4 both = extinction0 + extinction1;
+              Bool thick = max(max(both.x, both.y), max(both.z, both.w)) > 2.0;
               for (int node = 0; node < 2; ++node) {
                 Float path = path0;
                 Float h = altitude0;
@@ -169,6 +174,17 @@ FN_SHARED void gather_light(IN(Air) air, int orders, Table2 zones, Table2 profil
                   passed = depth + 0.538675134594813 * extinction0 + 0.25 * extinction1;
                 }
                 Vec4 through = exp(-max(passed, 0.0)) * (0.5 * stride);
+                if (any(thick)) {
+                  // Deeper than 1 in a step: each point stands for its half, uniform, whose light is (1 - exp(-depth)) / extinction.
+                  Vec4 half_depth = 0.5 * extinction0;
+                  Vec4 before = depth;
+                  if (node == 1) {
+                    before = depth + half_depth;
+                    half_depth = 0.5 * extinction1;
+                  }
+                  Vec4 share = (Vec4(1.0) - exp(-half_depth)) / max(half_depth, 1.0e-3);
+                  through = select(thick, exp(-before) * share * (0.5 * stride), through);
+                }
                 Float sun = (radius * mu_s + path * nu) / (air.ground_radius + h);
                 Vec4 scattering = lookup_cell(profile, cell, 1);
                 Vec4 lit = Vec4(0.0);
@@ -196,7 +212,7 @@ FN_SHARED void gather_light(IN(Air) air, int orders, Table2 zones, Table2 profil
                   diffuse = diffuse + scattering * source * through;
                 }
               }
-              depth = depth + 0.5 * (extinction0 + extinction1);
+              depth = depth + 0.5 * both;
             }
           }
         }

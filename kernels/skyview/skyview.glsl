@@ -74,7 +74,7 @@ FN Vec2 skyview_uv(Scalar horizon, Vec3 view, Vec3 sun, Scalar width, Scalar hei
 /// @param uv [1] in 0..1
 /// @param width [1] in 32..256
 /// @param height [1] in 32..256
-/// @bound 2e-5 scale 1
+/// @bound 1e-3 scale 1   towards the zenith and nadir the horizontal part is the root of what float leaves of 1 - mu^2: half the digits
 FN Vec3 skyview_view(Scalar horizon, Vec2 uv, Scalar width, Scalar height) {
   Scalar half_height = 0.5 * height;
   Float u = from_half_texel(uv.x, width);

@@ -8,7 +8,7 @@ Model single_model() {
   return {
       .name = "single",
       .summary = "numerical single scattering: each ray marched; any planet, any air; no light of higher orders",
-      .air = {.zones = 32, .substeps = 2},
+      .air = {.zones = 32, .substeps = 4},
       .tables = {{"core.optical_depth", {512, 128}}, {"core.sunlight", {512, 128}}},
       .rays = "single.rays",
       .irradiance = "single.irradiance",
