@@ -30,7 +30,10 @@ const FoundEngine& find_language_engine(const std::string& name);
 }  // namespace test
 }  // namespace airlight
 
-/// Defines `engine`, or skips the test visibly.
-#define AIRLIGHT_ENGINE_OR_SKIP(find, name)                                              \
-  if (!find(name).engine) GTEST_SKIP() << (name) << " is missing: " << find(name).missing; \
+/// Skips the test visibly where this machine has no such engine.
+#define AIRLIGHT_SKIP_WITHOUT(find, name) \
+  if (!find(name).engine) GTEST_SKIP() << (name) << " is missing: " << find(name).missing
+/// Defines `engine`, or skips.
+#define AIRLIGHT_ENGINE_OR_SKIP(find, name) \
+  AIRLIGHT_SKIP_WITHOUT(find, name);        \
   Engine& engine = *find(name).engine

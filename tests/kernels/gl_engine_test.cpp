@@ -33,8 +33,7 @@ constexpr KernelSource bad{"kernels/broken/bad.glsl",
 constexpr std::string_view broken_outputs[] = {"broken"};
 
 TEST_P(OpenGl, a_kernel_that_does_not_compile_is_named_with_its_line) {
-  AIRLIGHT_ENGINE_OR_SKIP(find_engine, GetParam());
-  static_cast<void>(engine);
+  AIRLIGHT_SKIP_WITHOUT(find_engine, GetParam());
   const KernelSource* const sources[] = {kernel_groups()[0].sources[0], &good, &bad};
   const KernelGroup groups[] = {{"broken", sources}};
   const PassInfo pass{"broken.broken", "broken_pass", {}, {}, broken_outputs, false, bad.file, 4, 0, 0};
@@ -81,15 +80,14 @@ TEST_P(OpenGl, threads_may_share_an_engine_and_keep_their_own_context) {
 }
 
 TEST_P(OpenGl, a_table_may_outlive_its_engine) {
-  AIRLIGHT_ENGINE_OR_SKIP(find_engine, GetParam());
-  static_cast<void>(engine);
+  AIRLIGHT_SKIP_WITHOUT(find_engine, GetParam());
   auto own = GetParam() == "gl" ? make_gl_engine() : make_gles_engine();
   Table table = own->upload({2, 2, 1}, std::vector<double>(16, 1.0));
   own.reset();
   table = {};
 }
 
-INSTANTIATE_TEST_SUITE_P(engines, OpenGl, testing::Values("gl", "gles"), [](const auto& info) { return info.param; });
+INSTANTIATE_TEST_SUITE_P(engines, OpenGl, testing::Values("gl", "gles"), [](const auto& tested) { return tested.param; });
 
 TEST(CompilerLog, sources_become_files_whichever_way_the_driver_numbers_them) {
   const std::string files[] = {"kernels/prelude/prelude.glsl", "kernels/core/math.glsl", "main() of core.ln"};

@@ -127,6 +127,13 @@ TEST_P(Language, uniform_numbers_of_every_kind_arrive) {
   EXPECT_EQ(evaluate(engine, "language_sum", uniforms, {{0, 1, -2}})[0], (std::vector<double>{12 + 3, 12 + 9, 12 - 9}));
 }
 
+// Mesa's software driver leaves a shader's loops, without a word, after 65535 turns of all of them together: so no pass may need
+// more for one texel.
+TEST_P(Language, loops_turn_sixty_thousand_times_a_texel) {
+  AIRLIGHT_ENGINE_OR_SKIP(find_language_engine, GetParam());
+  EXPECT_EQ(evaluate(engine, "language_turns", {100, 600}, {{0, 1, 0.5}})[0], (std::vector<double>(3, 60000)));
+}
+
 TEST_P(Language, several_results_arrive_in_order) {
   AIRLIGHT_ENGINE_OR_SKIP(find_language_engine, GetParam());
   const Columns expected = {{3, -1}, {2, -2}, {1, 1}, {3, -1}, {1, 0}};
@@ -343,7 +350,7 @@ std::vector<std::string> all_engines() {
   names.insert(names.begin(), "double");
   return names;
 }
-INSTANTIATE_TEST_SUITE_P(engines, Language, testing::ValuesIn(all_engines()), [](const auto& info) { return info.param; });
+INSTANTIATE_TEST_SUITE_P(engines, Language, testing::ValuesIn(all_engines()), [](const auto& tested) { return tested.param; });
 
 }  // namespace
 }  // namespace airlight::test

@@ -78,6 +78,18 @@ FN Float language_sum(int count, Scalar stride, Scalar4 weights, Float x) {
   return sum;
 }
 
+/// How often the inner of two loops turns [1].
+/// @param outer [1] in 1..100
+/// @param inner [1] in 1..100
+/// @param x [1] in 0..1
+FN Float language_turns(int outer, int inner, Float x) {
+  Float turns = Float(0.0) * x;
+  for (int i = 0; i < outer; ++i) {
+    for (int j = 0; j < inner; ++j) turns = turns + 1.0;
+  }
+  return turns;
+}
+
 /// Several results and no return value.
 /// @param a [1] in -2..2
 /// @param sum [1]
