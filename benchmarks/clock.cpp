@@ -1,0 +1,30 @@
+#include "clock.h"
+
+#include <algorithm>
+#include <ctime>
+
+namespace airlight::bench {
+
+double processor_time() {
+  timespec t{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+  return double(t.tv_sec) + 1e-9 * double(t.tv_nsec);
+}
+
+double best_time(const std::function<void()>& work) {
+  double best = 1e9;
+  for (int round = 0; round < 5; ++round) {
+    const double begin = processor_time();
+    double used = 0;
+    int calls = 0;
+    do {
+      work();
+      ++calls;
+      used = processor_time() - begin;
+    } while (used < 0.01);
+    best = std::min(best, used / calls);
+  }
+  return best;
+}
+
+}  // namespace airlight::bench

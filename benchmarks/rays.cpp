@@ -1,0 +1,55 @@
+#include <tbb/global_control.h>
+
+#include <numbers>
+#include <random>
+
+#include "airlight/sky.h"
+#include "benchmarks.h"
+#include "clock.h"
+#include "compare.h"
+#include "ray_work.h"
+
+namespace airlight::bench {
+namespace {
+
+/// Observers up to 10 km who look anywhere, under any Sun down to 6 degrees below the horizon: neighbours have nothing in common.
+std::vector<Ray> random_rays(std::size_t count) {
+  std::mt19937_64 random(1);
+  const auto between = [&](double low, double high) { return low + (high - low) * double(random() >> 11) * 0x1p-53; };
+  const auto anywhere = [&](double lowest) { return direction(between(0, 2 * std::numbers::pi), std::asin(between(lowest, 1))); };
+  std::vector<Ray> rays;
+  for (std::size_t i = 0; i < count; ++i) rays.push_back({between(0, 1e4), anywhere(-1), anywhere(-0.1)});
+  return rays;
+}
+
+}  // namespace
+
+void rays(Report& report, const MachineLimits& limits) {
+  report.section("Batch of random rays, radiance at four wavelengths, tables kept, one thread");
+  const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
+  const Atmosphere earth = built_in_atmosphere("earth");
+  const auto engine = make_engine("simd"), yardstick = make_engine("double");
+  const auto few = random_rays(2000);
+  auto many = random_rays(1 << 16);
+  const auto answer = [](const Sky& sky, const std::vector<Ray>& asked) {
+    const auto wavelengths = sky.realtime_wavelengths();
+    std::vector<double> out(asked.size() * wavelengths.size());
+    sky.evaluate(Quantity::radiance, asked, wavelengths, out);
+    return out;
+  };
+  for (const char* model : {"single", "skyview"}) {
+    const Sky sky(earth, model, engine), truth(earth, model, yardstick);
+    const auto got = answer(sky, few), expected = answer(truth, few);
+    report.check(std::string(model) + ", 99 % of values against double", difference(got, expected, 0.99), 2e-5);
+    if (!report.timing()) continue;
+    const Work work = ray_work(earth, find_model(model), sky.model() == "skyview");
+    const double time = best_time([&] {
+      many[0].altitude += 1;  // the same question again would be answered from what the engine keeps
+      answer(sky, many);
+    });
+    report.add({std::string(model) + ", batch of 65536", 1e9 * time / double(many.size()), "ns/ray", {}, {},
+                limits.at(set_of(*engine)).pixel(work.exps, work.texels)});
+  }
+}
+
+}  // namespace airlight::bench
