@@ -31,8 +31,8 @@ class Path {
   /// The observer, who may be in space.
   Illuminated observer() const { return at(observer_); }
 
-  /// t, increasing, from begin to end, between which light depends smoothly on t: the air's landmarks, the lowest point,
-  /// and where rays from the disc's upper and lower limb graze the ground (the terminator) or a jump of density.
+  /// t, increasing, from begin to end, between which light depends smoothly on t: the air's landmarks, the lowest
+  /// point, and where rays from the disc's upper and lower limb graze the ground (the terminator) or a jump of density.
   std::vector<double> breaks(const Air& air, double sun_radius) const;
 
  private:
