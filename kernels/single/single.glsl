@@ -25,7 +25,7 @@ FN Vec4 single_irradiance_pass(IN(Air) air, Table2 zones, Table2 profile, Table2
 }
 
 /// A picture, linear sRGB [cd/m^2].
-FN Vec4 single_picture_pass(IN(Air) air, IN(Camera) camera, IN(Observer) observer, Table2 zones, Table2 profile, Table2 phases, Table2 sunlight, Table2 optical_depth, Vec2 uv) {
+FN Vec4 single_picture_pass(IN(Air) air, IN(Camera) camera, IN(Observer) observer, IN(Display) display, Table2 zones, Table2 profile, Table2 phases, Table2 sunlight, Table2 optical_depth, Vec2 uv) {
   Float inside = Float(0.0);
   Vec3 view = camera_view(camera, uv, inside);
   Vec3 sun = Vec3(observer.sun.x, observer.sun.y, observer.sun.z);
@@ -33,6 +33,6 @@ FN Vec4 single_picture_pass(IN(Air) air, IN(Camera) camera, IN(Observer) observe
   Vec4 ground = Vec4(0.0);
   Vec4 light = ray_light(air, 1, zones, profile, phases, sunlight, sunlight, sunlight, Float(observer.altitude), view, sun, Float(1.0e30), transmittance, ground);
   light = light + ground;
-  if (observer.disc > 0.5) light = light + disc_radiance(air, observer, optical_depth, view, one_minus_cos(view, sun));
-  return display_colour(observer, light * Vec4(air.solar_irradiance)) * inside;
+  if (display.disc > 0.5) light = light + disc_radiance(air, observer, display, optical_depth, view, one_minus_cos(view, sun));
+  return display_colour(display, light * Vec4(air.solar_irradiance)) * inside;
 }

@@ -110,7 +110,7 @@ FN Vec4 skyview_sky_view_pass(IN(Air) air, IN(Observer) observer, IN(Dome) dome,
 }
 
 /// A picture from the sky-view table, linear sRGB [cd/m^2].
-FN Vec4 skyview_picture_pass(IN(Air) air, IN(Camera) camera, IN(Observer) observer, IN(Dome) dome, Table2 phases, Table2 optical_depth, Table2 sky_view, Table2 sky_class1, Table2 sky_class2, Table2 sky_class3, Vec2 uv) {
+FN Vec4 skyview_picture_pass(IN(Air) air, IN(Camera) camera, IN(Observer) observer, IN(Display) display, IN(Dome) dome, Table2 phases, Table2 optical_depth, Table2 sky_view, Table2 sky_class1, Table2 sky_class2, Table2 sky_class3, Vec2 uv) {
   Float inside = Float(0.0);
   Vec3 view = camera_view(camera, uv, inside);
   Vec3 sun = Vec3(observer.sun.x, observer.sun.y, observer.sun.z);
@@ -121,12 +121,12 @@ FN Vec4 skyview_picture_pass(IN(Air) air, IN(Camera) camera, IN(Observer) observ
   if (air.classes > 1.5) light = light + lookup(sky_class1, at) * lookup_row(phases, x, 1);
   if (air.classes > 2.5) light = light + lookup(sky_class2, at) * lookup_row(phases, x, 2);
   if (air.classes > 3.5) light = light + lookup(sky_class3, at) * lookup_row(phases, x, 3);
-  if (observer.disc > 0.5) light = light + disc_radiance(air, observer, optical_depth, view, apart);
-  return display_colour(observer, light * Vec4(air.solar_irradiance)) * inside;
+  if (display.disc > 0.5) light = light + disc_radiance(air, observer, display, optical_depth, view, apart);
+  return display_colour(display, light * Vec4(air.solar_irradiance)) * inside;
 }
 
 /// A picture by marching every pixel's ray: near the top and outside, where a sky-view table does not hold. Linear sRGB [cd/m^2].
-FN Vec4 skyview_space_picture_pass(IN(Air) air, IN(Camera) camera, IN(Observer) observer, Table2 zones, Table2 profile, Table2 phases, Table2 sunlight, Table2 optical_depth, Table2 multiple, Table2 ground_light, Vec2 uv) {
+FN Vec4 skyview_space_picture_pass(IN(Air) air, IN(Camera) camera, IN(Observer) observer, IN(Display) display, Table2 zones, Table2 profile, Table2 phases, Table2 sunlight, Table2 optical_depth, Table2 multiple, Table2 ground_light, Vec2 uv) {
   Float inside = Float(0.0);
   Vec3 view = camera_view(camera, uv, inside);
   Vec3 sun = Vec3(observer.sun.x, observer.sun.y, observer.sun.z);
@@ -134,8 +134,8 @@ FN Vec4 skyview_space_picture_pass(IN(Air) air, IN(Camera) camera, IN(Observer) 
   Vec4 ground = Vec4(0.0);
   Vec4 light = ray_light(air, 2, zones, profile, phases, sunlight, multiple, ground_light, Float(observer.altitude), view, sun, Float(1.0e30), transmittance, ground);
   light = light + ground;
-  if (observer.disc > 0.5) light = light + disc_radiance(air, observer, optical_depth, view, one_minus_cos(view, sun));
-  return display_colour(observer, light * Vec4(air.solar_irradiance)) * inside;
+  if (display.disc > 0.5) light = light + disc_radiance(air, observer, display, optical_depth, view, one_minus_cos(view, sun));
+  return display_colour(display, light * Vec4(air.solar_irradiance)) * inside;
 }
 
 /// Radiance along rays as single_rays_pass, with light scattered more than once [W m^-2 sr^-1 nm^-1].

@@ -99,22 +99,34 @@ DiscInPicture disc_in_picture(const Camera& camera, Direction sun, double angula
     const Direction d = combine(v, 1, sun, -1);
     return 2 * std::asin(std::min(std::sqrt(dot(d, d)) / 2, 1.0));
   };
-  // The nearest block centre gives the size of a pixel there.
   struct Block {
     int x, y;
     double angle;
   };
   std::vector<Block> blocks;
-  double nearest = 10, pixel = 0.1;
+  double nearest = 10, sun_x = 0, sun_y = 0;
   const int margin = wraps ? 0 : block;
-  for (int y = -(wraps ? 0 : margin); y < camera.height + margin; y += block) {
+  for (int y = -margin; y < camera.height + margin; y += block) {
     for (int x = -margin; x < camera.width + margin; x += block) {
       const double cx = x + block / 2.0, cy = std::min(y + block / 2.0, wraps ? camera.height - 0.5 : 1e9);
       const double angle = apart(view(cx, cy));
       blocks.push_back({x, y, angle});
-      if (angle < nearest) nearest = angle, pixel = std::sqrt(solid_angle(cx, cy));
+      if (angle < nearest) nearest = angle, sun_x = cx, sun_y = cy;
     }
   }
+  // From the nearest block's centre downhill to the Sun: a pixel's size is wanted there.
+  for (double step = block / 2.0; step >= 0.5;) {
+    const double before = nearest;
+    for (const auto& [dx, dy] : {std::pair{step, 0.0}, {-step, 0.0}, {0.0, step}, {0.0, -step}}) {
+      const double angle = apart(view(sun_x + dx, sun_y + dy));
+      if (angle < nearest && (!wraps || (sun_y + dy > 0 && sun_y + dy < camera.height))) {
+        nearest = angle, sun_x += dx, sun_y += dy;
+        break;
+      }
+    }
+    if (nearest == before) step /= 2;
+  }
+  const double pixel = std::sqrt(solid_angle(sun_x, sun_y));
   DiscInPicture disc;
   disc.edge = pixel;
   disc.radius = std::max(angular_radius, 0.6 * pixel);

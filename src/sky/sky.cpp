@@ -175,21 +175,22 @@ bool Sky::render(const Camera& camera, Direction sun, const PictureOptions& opti
     std::copy_n(wavelengths.begin() + std::ptrdiff_t(w), 4, quad.begin());
     Binder b = impl_->binder(*impl_->model, quad, camera.altitude);
     const Situation s = impl_->situation(camera.altitude, Impl::datum_for(camera.altitude));
-    Fields observer{{"sun", {to_sun[0], to_sun[1], to_sun[2], 0}}, {"altitude", {s.altitude}}, {"disc", {options.sun_disc ? 1.0 : 0.0}}};
+    Fields display{{"disc", {options.sun_disc ? 1.0 : 0.0}}};
     std::array<double, 4> exponent;
     for (std::size_t k = 0; k < 4; ++k) exponent[k] = impl_->atmosphere.sun.limb_darkening.at(quad[k]);
     const DiscInPicture disc = disc_in_picture(camera, to_sun, impl_->atmosphere.sun.angular_radius, exponent);
-    observer["disc_gain"].assign(disc.gain.begin(), disc.gain.end());
-    observer["disc_radius"] = {disc.radius};
-    observer["disc_edge"] = {disc.edge};
+    display["disc_gain"].assign(disc.gain.begin(), disc.gain.end());
+    display["disc_radius"] = {disc.radius};
+    display["disc_edge"] = {disc.edge};
     for (std::size_t k = 0; k < 4; ++k) {
       const auto rgb = xyz_to_srgb(weights[w + k]);
-      observer["red"].push_back(rgb[0]);
-      observer["green"].push_back(rgb[1]);
-      observer["blue"].push_back(rgb[2]);
+      display["red"].push_back(rgb[0]);
+      display["green"].push_back(rgb[1]);
+      display["blue"].push_back(rgb[2]);
     }
     b.set("camera", camera_fields(camera));
-    b.set("observer", std::move(observer));
+    b.set("observer", Fields{{"sun", {to_sun[0], to_sun[1], to_sun[2], 0}}, {"altitude", {s.altitude}}});
+    b.set("display", std::move(display));
     const PassInfo& pass = kernel_pass(impl_->model->picture(s));
     draws.push_back({&pass, b.parameters(pass, shape), b.inputs(pass)});
   }

@@ -1,0 +1,102 @@
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "scenes.h"
+
+namespace airlight::test {
+namespace {
+
+Atmosphere random_planet(std::mt19937& random) {
+  std::uniform_real_distribution<double> unit(0, 1);
+  const auto logarithmic = [&](double low, double high) { return low * std::pow(high / low, unit(random)); };
+  Atmosphere a = built_in_atmosphere(unit(random) < 0.5 ? "earth-bruneton" : "mars-clear");
+  a.name = "random";
+  a.planet.ground_radius = logarithmic(1e3, 1e8);
+  a.planet.top_altitude = std::min(logarithmic(1e3, 2e5), 5 * a.planet.ground_radius);
+  a.planet.albedo = unit(random);
+  a.sun.angular_radius = logarithmic(1e-4, 0.05);
+  for (Constituent& c : a.constituents) {
+    if (std::holds_alternative<ExponentialProfile>(c.profile)) c.profile = ExponentialProfile{logarithmic(10, a.planet.top_altitude)};
+    c.absorption = 1e-6 * unit(random);
+    c.scattering = c.scattering.scaled(logarithmic(1e-2, 1e3));  // from nearly nothing to dense fog
+  }
+  return a;
+}
+
+// Altitudes from 1 km below the ground sphere to a million km, views and suns anywhere, segments from a millimetre.
+std::vector<Ray> random_rays(std::mt19937& random, const Atmosphere& a, int count) {
+  std::uniform_real_distribution<double> unit(0, 1);
+  std::normal_distribution<double> normal;
+  const auto anywhere = [&] {
+    const double x = normal(random), y = normal(random), z = normal(random), n = std::sqrt(x * x + y * y + z * z);
+    return Direction{x / n, y / n, z / n};
+  };
+  std::vector<Ray> rays;
+  // Each altitude below 0 is a ground of its own, with tables of its own: only a few of them.
+  const double depths[] = {-std::min(1000.0, 0.5 * a.planet.ground_radius), -1e-3};
+  for (int i = 0; i < count; ++i) {
+    Ray r;
+    const double kind = unit(random);
+    r.altitude = kind < 0.1 ? 0 : kind < 0.15 ? depths[i % 2] : kind < 0.2 ? a.planet.top_altitude : std::pow(10, -3 + 12 * unit(random));
+    r.view = anywhere();
+    r.sun = anywhere();
+    if (unit(random) < 0.1) r.sun = r.view;
+    if (unit(random) < 0.1) r.sun = {-r.view[0], -r.view[1], -r.view[2]};
+    if (unit(random) < 0.05) r.view = {0, 0, unit(random) < 0.5 ? 1.0 : -1.0};
+    if (unit(random) < 0.05) r.view = {1, 0, 0};
+    if (unit(random) < 0.05) r.sun = {0, 1, 0};
+    if (unit(random) < 0.4) r.distance = std::pow(10, -3 + 10 * unit(random));
+    if (unit(random) < 0.02) r.distance = 0;
+    rays.push_back(r);
+  }
+  return rays;
+}
+
+class Robustness : public testing::TestWithParam<std::tuple<const char*, const char*>> {};
+
+TEST_P(Robustness, twenty_thousand_random_views_are_finite_and_never_negative) {
+  const auto [engine_name, model] = GetParam();
+  if (std::string_view(engine_name) == "gl" && !has_gl()) GTEST_SKIP() << "no OpenGL 4.5 here";
+  constexpr unsigned seed = 20261122;
+  std::mt19937 random(seed);
+  const auto engine = make_engine(engine_name);
+  const double wavelengths[] = {400, 500, 600, 750};
+  constexpr int planets = 10, views = 2000;
+  for (int p = 0; p < planets; ++p) {
+    const Atmosphere a = random_planet(random);
+    const Sky sky(a, model, engine);
+    const auto rays = random_rays(random, a, views);
+    std::vector<double> out(4 * rays.size());
+    for (Quantity q : {Quantity::radiance, Quantity::path_radiance, Quantity::transmittance}) {
+      sky.evaluate(q, rays, wavelengths, out);
+      for (std::size_t i = 0; i < out.size(); ++i) {
+        const Ray& r = rays[i / 4];
+        ASSERT_TRUE(std::isfinite(out[i]) && out[i] >= 0 && out[i] < 1e4)
+            << out[i] << " for quantity " << int(q) << ", planet " << p << " (radius " << a.planet.ground_radius << ", top " << a.planet.top_altitude
+            << "), altitude " << r.altitude << ", view " << r.view[0] << ' ' << r.view[1] << ' ' << r.view[2] << ", sun " << r.sun[0] << ' '
+            << r.sun[1] << ' ' << r.sun[2] << ", distance " << r.distance << ", seed " << seed;
+        if (q == Quantity::transmittance) {
+          ASSERT_LE(out[i], 1);
+        }
+      }
+    }
+    const std::vector<Ray> few(rays.begin(), rays.begin() + 20);
+    std::vector<double> light(80);
+    for (Quantity q : {Quantity::sun_irradiance, Quantity::sky_irradiance}) {
+      sky.evaluate(q, few, wavelengths, light);
+      for (double v : light) ASSERT_TRUE(std::isfinite(v) && v >= 0) << v << ", planet " << p;
+    }
+    Camera camera;
+    camera.width = 64;
+    camera.height = 32;
+    camera.altitude = rays[std::size_t(p)].altitude;
+    for (float v : draw(sky, camera, rays[std::size_t(p)].sun)) ASSERT_TRUE(std::isfinite(v)) << "planet " << p;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Models, Robustness, testing::Combine(testing::Values("double", "simd", "gl"), testing::Values("single", "skyview")),
+                         [](const auto& info) { return std::string(std::get<0>(info.param)) + "_" + std::get<1>(info.param); });
+
+}  // namespace
+}  // namespace airlight::test
