@@ -75,7 +75,10 @@ class Engine {
     std::vector<Table> tables;
     std::uint64_t used = 0;
   };
+  void keep(std::uint64_t key, std::vector<Table> tables);
+
   std::map<std::uint64_t, Kept> kept_;
+  std::size_t kept_texels_ = 0;
   std::map<std::string, long, std::less<>> runs_;
   std::uint64_t clock_ = 0;
 };

@@ -62,21 +62,33 @@ FN Vec4 sunlight_from(IN(Air) air, Table2 sunlight, Float altitude, Vec3 sun) {
   return select(skipped < 0.0, Vec4(1.0), sunlight_at(air, sunlight, start, mu));
 }
 
-/// Skylight on a horizontal plane that faces up, per solar irradiance [1]: 16 rings x 32 directions of equal weight.
-FN_SHARED Vec4 sky_irradiance_at(IN(Air) air, int orders, Table2 zones, Table2 profile, Table2 phases, Table2 sunlight, Table2 multiple,
-                          Float altitude, Vec3 sun) {
+// Light from all directions is gathered in two passes, one ray a texel and then a sum: rays run side by side, and no texel turns
+// its loops more than 60000 times (Mesa's software driver leaves them after 65535, without a word).
+
+/// Direction of the upper hemisphere, one of 512 of equal cosine-weighted solid angle: 16 rings of 32 [1].
+/// @param index [1] in 0..511
+FN Vec3 hemisphere_direction(Float index) {
+  Float ring = floor((index + 0.5) * (1.0 / 32.0));
+  Float sin_squared = (ring + 0.5) * (1.0 / 16.0);
+  Float azimuth = (floor(index + 0.5) - 32.0 * ring + 0.5) * 0.196349540849362;
+  Float across = sqrt(sin_squared);
+  return Vec3(across * cos(azimuth), across * sin(azimuth), sqrt(1.0 - sin_squared));
+}
+
+/// Sum of `count` texels of a row from a column on.
+FN Vec4 sum_of_row(Table2 table, Float column, Float row, int count) {
   Vec4 sum = Vec4(0.0);
-  for (int ring = 0; ring < 16; ++ring) {
-    Float sin_squared = (Float(ring) + 0.5) * (1.0 / 16.0);
-    Float z = sqrt(1.0 - sin_squared);
-    Float across = sqrt(sin_squared);
-    for (int i = 0; i < 32; ++i) {
-      Float azimuth = (Float(i) + 0.5) * 0.196349540849362;
-      Vec3 view = Vec3(across * cos(azimuth), across * sin(azimuth), z);
-      Vec4 transmittance = Vec4(0.0);
-      Vec4 ground = Vec4(0.0);
-      sum = sum + ray_light(air, orders, zones, profile, phases, sunlight, multiple, sunlight, altitude, view, sun, Float(1.0e30), transmittance, ground);
-    }
-  }
-  return sum * (3.14159265358979 / 512.0);
+  for (int i = 0; i < count; ++i) sum = sum + fetch(table, column + Float(i), row);
+  return sum;
+}
+
+/// Skylight on a horizontal plane that faces up, of observers one a row [W m^-2 nm^-1]: the sum over a model's `sky_light`.
+FN Vec4 sky_irradiance_pass(IN(Air) air, Table2 sky_light, Vec2 uv) {
+  return sum_of_row(sky_light, Float(0.0), floor(uv.y * height_of(sky_light)), 512) * (3.14159265358979 / 512.0) * Vec4(air.solar_irradiance);
+}
+
+/// Sunlight on a plane normal to the beam [W m^-2 nm^-1].
+FN Vec4 sun_irradiance_pass(IN(Air) air, Table2 sunlight, Table2 eyes, Table2 suns, Vec2 uv) {
+  Vec4 at = fetch_same(suns, uv);
+  return sunlight_from(air, sunlight, fetch_same(eyes, uv).x, Vec3(at.y, at.z, at.w)) * Vec4(air.solar_irradiance);
 }

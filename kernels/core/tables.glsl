@@ -2,7 +2,7 @@
 #include "core/march.glsl"
 // Tables that all models of a spherical atmosphere share.
 
-struct TableSize {
+struct GridSize {
   Scalar width;   // [1] in 32..512
   Scalar height;  // [1] in 32..512
   Scalar pad0;    // [1] in 0..1
@@ -10,7 +10,7 @@ struct TableSize {
 };
 
 /// Optical depth to space of rays that miss the ground [1].
-FN Vec4 optical_depth_pass(IN(Air) air, IN(TableSize) size, Table2 zones, Table2 profile, Vec2 uv) {
+FN Vec4 optical_depth_pass(IN(Air) air, IN(GridSize) size, Table2 zones, Table2 profile, Vec2 uv) {
   Float mu = Float(0.0);
   Float altitude = depth_place(air, uv, size.width, size.height, mu);
   Float reach = distance_to_shell(air.ground_radius, altitude, Float(air.top_altitude), mu);
@@ -19,7 +19,7 @@ FN Vec4 optical_depth_pass(IN(Air) air, IN(TableSize) size, Table2 zones, Table2
 
 /// -ln of the sunlight that reaches a place relative to that outside the atmosphere [1]: mean of the transmittance over the limb-
 /// darkened disc, parts below the horizon counting as dark. The direction of the table is that of the disc's upper limb.
-FN Vec4 sunlight_pass(IN(Air) air, IN(TableSize) size, Table2 optical_depth, Vec2 uv) {
+FN Vec4 sunlight_pass(IN(Air) air, IN(GridSize) size, Table2 optical_depth, Vec2 uv) {
   Float mu_limb = Float(0.0);
   Float altitude = depth_place(air, uv, size.width, size.height, mu_limb);
   Float horizon = mu_horizon(air.ground_radius, altitude);

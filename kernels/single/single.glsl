@@ -15,13 +15,14 @@ FN Vec4 single_rays_pass(IN(Air) air, Table2 zones, Table2 profile, Table2 phase
   return light * Vec4(air.solar_irradiance);
 }
 
-/// Sunlight normal to the beam [W m^-2 nm^-1]; skylight on a horizontal plane.
-FN Vec4 single_irradiance_pass(IN(Air) air, Table2 zones, Table2 profile, Table2 phases, Table2 sunlight, Table2 eyes, Table2 suns, Vec2 uv, OUT(Vec4) sky) {
-  Vec4 eye = fetch_same(eyes, uv);
-  Vec4 at = fetch_same(suns, uv);
-  Vec3 sun = Vec3(at.y, at.z, at.w);
-  sky = sky_irradiance_at(air, 1, zones, profile, phases, sunlight, sunlight, eye.x, sun) * Vec4(air.solar_irradiance);
-  return sunlight_from(air, sunlight, eye.x, sun) * Vec4(air.solar_irradiance);
+/// Skylight from one direction of the hemisphere (u) for one observer (v), per solar irradiance [1/sr].
+FN Vec4 single_sky_light_pass(IN(Air) air, Table2 zones, Table2 profile, Table2 phases, Table2 sunlight, Table2 eyes, Table2 suns, Vec2 uv) {
+  Vec4 eye = fetch(eyes, Float(0.0), floor(uv.y * height_of(eyes)));
+  Vec4 at = fetch(suns, Float(0.0), floor(uv.y * height_of(suns)));
+  Vec3 view = hemisphere_direction(floor(uv.x * 512.0));
+  Vec4 transmittance = Vec4(0.0);
+  Vec4 ground = Vec4(0.0);
+  return ray_light(air, 1, zones, profile, phases, sunlight, sunlight, sunlight, eye.x, view, Vec3(at.y, at.z, at.w), Float(1.0e30), transmittance, ground);
 }
 
 /// A picture, linear sRGB [cd/m^2].

@@ -13,38 +13,51 @@ struct Dome {
   Scalar pad;      // [1] in 0..1
 };
 
+/// Light that reaches a place of the multiple-scattering table from one direction (64 texels a place, side by side) scattered or
+/// reflected once, per solar irradiance [1/sr]; the part of uniform light that arrives scattered or reflected once more.
+FN Vec4 skyview_multiple_directions_pass(IN(Air) air, IN(GridSize) size, Table2 zones, Table2 profile, Table2 phases, Table2 sunlight, Vec2 uv, OUT(Vec4) multiple_again) {
+  Scalar places = size.width * (1.0 / 64.0);
+  Float column = floor(uv.x * size.width);
+  Float place = floor((column + 0.5) * (1.0 / 64.0));
+  Float index = column - 64.0 * place;
+  Float mu_s = Float(0.0);
+  Float altitude = multiple_place(air, Vec2((place + 0.5) * (1.0 / places), uv.y), places, size.height, mu_s);
+  Vec3 sun = Vec3(sqrt(max((1.0 - mu_s) * (1.0 + mu_s), 0.0)), Float(0.0), mu_s);
+  Float ring = floor((index + 0.5) * 0.125);
+  Float z = (ring + 0.5) * 0.25 - 1.0;
+  Float across = sqrt(max((1.0 - z) * (1.0 + z), 0.0));
+  Float azimuth = (index - 8.0 * ring + 0.5) * 0.392699081698724;  // half a turn: the other half mirrors it
+  Vec3 view = Vec3(across * cos(azimuth), across * sin(azimuth), z);
+  Vec4 transmittance = Vec4(0.0);
+  Vec4 ground = Vec4(0.0);
+  multiple_again = scattered_again(air, zones, profile, altitude, z);
+  return ray_light(air, 1, zones, profile, phases, sunlight, sunlight, sunlight, altitude, view, sun, Float(1.0e30), transmittance, ground) + ground;
+}
+
 /// -ln of the source of light scattered more than once, per solar irradiance and scattering coefficient [1/sr].
 /// Light of the second order is the mean over all directions of what has been scattered or reflected once; each further order
 /// is the same fraction of the one before, so that the series has a closed sum (Hillaire 2020, equations 5 to 10).
-FN Vec4 skyview_multiple_pass(IN(Air) air, IN(TableSize) size, Table2 zones, Table2 profile, Table2 phases, Table2 sunlight, Vec2 uv) {
-  Float mu_s = Float(0.0);
-  Float altitude = multiple_place(air, uv, size.width, size.height, mu_s);
-  Vec3 sun = Vec3(sqrt(max((1.0 - mu_s) * (1.0 + mu_s), 0.0)), Float(0.0), mu_s);
-  Vec4 second = Vec4(0.0);
-  Vec4 again = Vec4(0.0);  // the part of uniform light that is scattered or reflected once more
-  for (int ring = 0; ring < 8; ++ring) {
-    Float z = (Float(ring) + 0.5) * 0.25 - 1.0;
-    Float across = sqrt(max((1.0 - z) * (1.0 + z), 0.0));
-    for (int i = 0; i < 8; ++i) {
-      Float azimuth = (Float(i) + 0.5) * 0.392699081698724;  // half a turn: the other half mirrors it
-      Vec3 view = Vec3(across * cos(azimuth), across * sin(azimuth), z);
-      Vec4 transmittance = Vec4(0.0);
-      Vec4 ground = Vec4(0.0);
-      second = second + ray_light(air, 1, zones, profile, phases, sunlight, sunlight, sunlight, altitude, view, sun, Float(1.0e30), transmittance, ground) + ground;
-      again = again + scattered_again(air, zones, profile, altitude, z);
-    }
-  }
-  second = second * (1.0 / 64.0);
-  again = again * (1.0 / 64.0);
+FN Vec4 skyview_multiple_pass(IN(GridSize) size, Table2 multiple_directions, Table2 multiple_again, Vec2 uv) {
+  Float column = 64.0 * floor(uv.x * size.width);
+  Float row = floor(uv.y * size.height);
+  Vec4 second = sum_of_row(multiple_directions, column, row, 64) * (1.0 / 64.0);
+  Vec4 again = sum_of_row(multiple_again, column, row, 64) * (1.0 / 64.0);
   return -ln4(max(second / max(Vec4(1.0) - again, 0.02), 1.0e-30));
 }
 
-/// -ln of the skylight on the ground, per solar irradiance [1]: one row over the Sun's zenith cosine.
-FN Vec4 skyview_ground_light_pass(IN(Air) air, Table2 zones, Table2 profile, Table2 phases, Table2 sunlight, Table2 multiple, Vec2 uv) {
-  Float u = 2.0 * from_half_texel(uv.x, Scalar(64.0)) - 1.0;
+/// Skylight on the ground from one direction (u) for one zenith cosine of the Sun (v), per solar irradiance [1/sr].
+FN Vec4 skyview_ground_directions_pass(IN(Air) air, IN(GridSize) size, Table2 zones, Table2 profile, Table2 phases, Table2 sunlight, Table2 multiple, Vec2 uv) {
+  Float u = 2.0 * from_half_texel(uv.y, size.height) - 1.0;
   Float mu_s = u * abs(u);
   Vec3 sun = Vec3(sqrt(max((1.0 - mu_s) * (1.0 + mu_s), 0.0)), Float(0.0), mu_s);
-  return -ln4(max(sky_irradiance_at(air, 2, zones, profile, phases, sunlight, multiple, Float(0.0), sun), 1.0e-30));
+  Vec4 transmittance = Vec4(0.0);
+  Vec4 ground = Vec4(0.0);
+  return ray_light(air, 2, zones, profile, phases, sunlight, multiple, sunlight, Float(0.0), hemisphere_direction(floor(uv.x * 512.0)), sun, Float(1.0e30), transmittance, ground);
+}
+
+/// -ln of the skylight on the ground, per solar irradiance [1]: one row over the Sun's zenith cosine.
+FN Vec4 skyview_ground_light_pass(IN(GridSize) size, Table2 ground_directions, Vec2 uv) {
+  return -ln4(max(sum_of_row(ground_directions, Float(0.0), floor(uv.x * size.width), 512) * (3.14159265358979 / 512.0), 1.0e-30));
 }
 
 // ---- the sky of one observer: u is the sine of half the azimuth from the Sun, v runs from the horizon up, then from it down ----
@@ -150,11 +163,12 @@ FN Vec4 skyview_rays_pass(IN(Air) air, Table2 zones, Table2 profile, Table2 phas
   return light * Vec4(air.solar_irradiance);
 }
 
-/// Sunlight normal to the beam [W m^-2 nm^-1]; skylight on a horizontal plane.
-FN Vec4 skyview_irradiance_pass(IN(Air) air, Table2 zones, Table2 profile, Table2 phases, Table2 sunlight, Table2 multiple, Table2 eyes, Table2 suns, Vec2 uv, OUT(Vec4) sky) {
-  Vec4 eye = fetch_same(eyes, uv);
-  Vec4 at = fetch_same(suns, uv);
-  Vec3 sun = Vec3(at.y, at.z, at.w);
-  sky = sky_irradiance_at(air, 2, zones, profile, phases, sunlight, multiple, eye.x, sun) * Vec4(air.solar_irradiance);
-  return sunlight_from(air, sunlight, eye.x, sun) * Vec4(air.solar_irradiance);
+/// Skylight from one direction of the hemisphere (u) for one observer (v), per solar irradiance [1/sr].
+FN Vec4 skyview_sky_light_pass(IN(Air) air, Table2 zones, Table2 profile, Table2 phases, Table2 sunlight, Table2 multiple, Table2 eyes, Table2 suns, Vec2 uv) {
+  Vec4 eye = fetch(eyes, Float(0.0), floor(uv.y * height_of(eyes)));
+  Vec4 at = fetch(suns, Float(0.0), floor(uv.y * height_of(suns)));
+  Vec3 view = hemisphere_direction(floor(uv.x * 512.0));
+  Vec4 transmittance = Vec4(0.0);
+  Vec4 ground = Vec4(0.0);
+  return ray_light(air, 2, zones, profile, phases, sunlight, multiple, sunlight, eye.x, view, Vec3(at.y, at.z, at.w), Float(1.0e30), transmittance, ground);
 }

@@ -46,8 +46,9 @@ class Hash {
   std::uint64_t state_ = 0x9e3779b97f4a7c15u;
 };
 
-// Tables of a moving sun come and go; enough for the tables of 40 wavelengths of a few atmospheres (about 10 MB a quad).
-constexpr std::size_t kept_results = 256;
+// Tables of a moving sun come and go: what was not used for longest goes first. 512 MB of float texels: the tables of 40
+// wavelengths for dozens of observers.
+constexpr std::size_t kept_limit = 32u << 20;
 
 }  // namespace
 
@@ -57,10 +58,23 @@ Table Engine::upload(Shape shape, std::span<const double> rgba) {
   hash.add("upload");
   hash.add(shape);
   hash.add(rgba);
-  Kept& kept = kept_[hash.value()];
-  kept.used = ++clock_;
-  if (kept.tables.empty()) kept.tables = {Table{shape, hash.value(), make_table(shape, rgba)}};
-  return kept.tables.front();
+  if (const auto found = kept_.find(hash.value()); found != kept_.end()) {
+    found->second.used = ++clock_;
+    return found->second.tables.front();
+  }
+  Table table{shape, hash.value(), make_table(shape, rgba)};
+  keep(hash.value(), {table});
+  return table;
+}
+
+void Engine::keep(std::uint64_t key, std::vector<Table> tables) {
+  for (const Table& t : tables) kept_texels_ += t.shape.texels();
+  while (kept_texels_ > kept_limit && !kept_.empty()) {
+    const auto oldest = std::min_element(kept_.begin(), kept_.end(), [](const auto& a, const auto& b) { return a.second.used < b.second.used; });
+    for (const Table& t : oldest->second.tables) kept_texels_ -= t.shape.texels();
+    kept_.erase(oldest);
+  }
+  kept_[key] = {std::move(tables), ++clock_};
 }
 
 std::vector<Table> Engine::run(const PassInfo& pass, std::span<const double> parameters, std::span<const Table> inputs, Shape shape) {
@@ -84,10 +98,7 @@ std::vector<Table> Engine::run(const PassInfo& pass, std::span<const double> par
   const auto count = runs_.find(pass.name);
   if (count == runs_.end()) runs_.emplace(pass.name, 1);
   else ++count->second;
-  while (kept_.size() >= kept_results) {
-    kept_.erase(std::min_element(kept_.begin(), kept_.end(), [](const auto& a, const auto& b) { return a.second.used < b.second.used; }));
-  }
-  kept_[hash.value()] = {tables, ++clock_};
+  keep(hash.value(), tables);
   return tables;
 }
 

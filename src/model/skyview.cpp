@@ -21,11 +21,13 @@ Model skyview_model() {
       .air = {.zones = 14, .substeps = 1},
       .tables = {{"core.optical_depth", {256, 64}},
                  {"core.sunlight", {256, 64}},
+                 {"skyview.multiple_directions", {32 * 64, 32}},
                  {"skyview.multiple", {32, 32}},
+                 {"skyview.ground_directions", {512, 64}},
                  {"skyview.ground_light", {64, 1}},
                  {"skyview.sky_view", dome}},
       .rays = "skyview.rays",
-      .irradiance = "skyview.irradiance",
+      .sky_light = "skyview.sky_light",
       .picture = [](const Situation& s) -> std::string_view { return table_holds(s) ? "skyview.picture" : "skyview.space_picture"; },
       .fields =
           [](std::string_view argument, const Situation& s) -> Fields {

@@ -11,7 +11,6 @@ namespace airlight {
 namespace {
 
 constexpr int phase_samples = 2048;
-constexpr int least_cells = 1024;
 constexpr int most_zones = 64;
 
 double largest_coefficient(const Constituent& c, const Quad& wavelengths) {
@@ -118,7 +117,7 @@ BakedAir bake(const Atmosphere& atmosphere, const Quad& wavelengths, double datu
   const Densities densities{atmosphere, datum};
   const double top = atmosphere.planet.top_altitude - datum;
   const std::vector<double> edges = zone_edges(densities, wavelengths, top, options);
-  const int zones = int(edges.size()) - 1, cells = (least_cells + zones - 1) / zones;
+  const int zones = int(edges.size()) - 1, cells = (options.cells + zones - 1) / zones;
   const std::vector<Phase> classes = phase_classes(atmosphere, wavelengths);
 
   BakedAir air;

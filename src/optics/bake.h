@@ -13,6 +13,7 @@ namespace airlight {
 struct BakeOptions {
   int zones = 24;    ///< at most, unless sharp edges need more
   int substeps = 1;  ///< Gauss steps a zone
+  int cells = 1024;  ///< of the density tables, at least
 };
 
 struct BakedTable {

@@ -1,6 +1,7 @@
 #include "airlight/sky.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <map>
 
@@ -76,7 +77,8 @@ struct Sky::Impl {
   // Answers rays that share a datum, four wavelengths at a time; `put(ray, wavelength, value)`.
   template <class Put>
   void answer(Quantity quantity, std::span<const Ray> rays, std::span<const std::size_t> which, std::span<const double> wavelengths, const Model& m, const Put& put) {
-    const int count = int(which.size()), width = std::min(count, 1024), height = (count + width - 1) / width;
+    const bool sky_light = quantity == Quantity::sky_irradiance;  // sums over directions: observers are rows
+    const int count = int(which.size()), width = sky_light ? 1 : std::min(count, 1024), height = (count + width - 1) / width;
     const Shape shape{width, height, 1};
     std::vector<double> eyes, suns;
     const double datum = datum_for(rays[which[0]].altitude);
@@ -94,10 +96,15 @@ struct Sky::Impl {
       Binder b = binder(m, quad, rays[which[0]].altitude);
       b.set("eyes", engine->upload(shape, eyes));
       b.set("suns", engine->upload(shape, suns));
-      const bool light = quantity == Quantity::sun_irradiance || quantity == Quantity::sky_irradiance;
-      const std::vector<Table> answers = b.run(light ? m.irradiance : m.rays, shape);
-      // rays: path radiance, transmittance, ground; irradiance: sun, sky
-      const std::size_t part = quantity == Quantity::transmittance || quantity == Quantity::sky_irradiance ? 1 : 0;
+      std::vector<Table> answers;
+      if (sky_light) {
+        b.set("sky_light", b.run(m.sky_light, {512, height, 1})[0]);
+        answers = b.run("core.sky_irradiance", shape);
+      } else {
+        answers = b.run(quantity == Quantity::sun_irradiance ? "core.sun_irradiance" : m.rays, shape);
+      }
+      // rays: path radiance, transmittance, ground
+      const std::size_t part = quantity == Quantity::transmittance ? 1 : 0;
       engine->read(answers[part], texels);
       if (quantity == Quantity::radiance) {
         engine->read(answers[2], more);
@@ -145,9 +152,13 @@ void Sky::evaluate(Quantity quantity, std::span<const Ray> rays, std::span<const
   // Light of the first order is what `single` computes.
   const Model& model = max_order == 1 ? find_model("single") : *impl_->model;
   std::vector<double> answers(out.size());
-  for (const auto& [datum, which] : groups) {
-    impl_->answer(quantity, checked, which, wavelengths, model,
-                  [&](std::size_t ray, std::size_t w, double value) { answers[ray * wavelengths.size() + w] = value; });
+  for (const auto& [datum, group] : groups) {
+    // In parts, so that the tables of a million rays fit an engine.
+    constexpr std::size_t part = 4096;
+    for (std::size_t begin = 0; begin < group.size(); begin += part) {
+      impl_->answer(quantity, checked, std::span(group).subspan(begin, std::min(part, group.size() - begin)), wavelengths, model,
+                    [&](std::size_t ray, std::size_t w, double value) { answers[ray * wavelengths.size() + w] = value; });
+    }
   }
   std::ranges::copy(answers, out.begin());
 }
@@ -195,9 +206,12 @@ bool Sky::render(const Camera& camera, Direction sun, const PictureOptions& opti
     draws.push_back({&pass, b.parameters(pass, shape), b.inputs(pass)});
   }
 
-  const int rows = std::max(1, (1 << 18) / camera.width);  // a strip of 4 MB: it stays in the cache until it is written
+  // A strip of 4 MB stays in the cache until it is written; one that takes long is halved, so that a person can watch and stop.
+  int rows = std::max(1, (1 << 18) / camera.width);
+  constexpr auto patience = std::chrono::milliseconds(200);
   std::vector<float> rgba, more;
-  for (int begin = 0; begin < camera.height; begin += rows) {
+  for (int begin = 0, next = 0; begin < camera.height; begin = next) {
+    const auto start = std::chrono::steady_clock::now();
     const int end = std::min(begin + rows, camera.height);
     rgba.resize(4 * std::size_t(end - begin) * std::size_t(camera.width));
     more.resize(draws.size() > 1 ? rgba.size() : 0);
@@ -210,6 +224,8 @@ bool Sky::render(const Camera& camera, Direction sun, const PictureOptions& opti
       }
     }
     if (!strip(begin, end, rgba)) return false;
+    next = end;
+    if (std::chrono::steady_clock::now() - start > patience) rows = std::max(1, rows / 2);
   }
   return true;
 }

@@ -96,7 +96,7 @@ TEST_P(Robustness, twenty_thousand_random_views_are_finite_and_never_negative) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Models, Robustness, testing::Combine(testing::Values("double", "simd", "gl"), testing::Values("single", "skyview")),
-                         [](const auto& info) { return std::string(std::get<0>(info.param)) + "_" + std::get<1>(info.param); });
+                         [](const auto& parameter) { return std::string(std::get<0>(parameter.param)) + "_" + std::get<1>(parameter.param); });
 
 }  // namespace
 }  // namespace airlight::test
