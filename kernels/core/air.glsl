@@ -17,7 +17,7 @@ struct Air {
   Scalar top_altitude;        // [m] in 1e4..2e5
   Scalar sun_radius;          // [rad] in 1e-3..1e-2  angular radius of the Sun
   Scalar classes;             // [1] in 1..4  phase classes in use
-  Scalar zones;               // [1] in 1..32  zones in use
+  Scalar zones;               // [1] in 1..64  zones in use
   Scalar cells;               // [1] in 16..1024  cells a zone
   Scalar substeps;            // [1] in 1..4  two-point Gauss steps a zone
   Scalar pad;                 // [1] in 0..1

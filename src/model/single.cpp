@@ -9,7 +9,7 @@ Model single_model() {
       .name = "single",
       .summary = "numerical single scattering: each ray marched; any planet, any air; no light of higher orders",
       // A grazing ray lies for 100 km in one cell: 1024 of them cost 1.1e-5 of transmittance, 2048 a quarter of that.
-      .air = {.zones = 32, .substeps = 4, .cells = 2048},
+      .air = {.zones = 64, .substeps = 2, .cells = 2048},
       .tables = {{"core.optical_depth", {512, 128}}, {"core.sunlight", {512, 128}}},
       .rays = "single.rays",
       .sky_light = "single.sky_light",

@@ -34,6 +34,28 @@ Direction checked_unit(const Direction& d, const std::string& what) {
   return {d[0] / n, d[1] / n, d[2] / n};
 }
 
+double dot(const Direction& a, const Direction& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+// A ray from space, begun where it enters the air: in float its lowest point would be uncertain by half a metre, which is 2e-5 of
+// a grazing ray's transmittance. Rays that miss the air are left alone. Radius and top are those of the datum.
+Ray from_entry(const Ray& ray, double ground_radius, double top) {
+  const double r = ground_radius + ray.altitude, outer = ground_radius + top, along = -r * ray.view[2];
+  const double across = r * std::hypot(ray.view[0], ray.view[1]), half_chord = std::sqrt(std::max(outer * outer - across * across, 0.0));
+  if (ray.altitude <= top || along <= 0 || across >= outer) return ray;
+  const double path = std::max(along - half_chord, 0.0);
+  // The frame at the entry: up, and two axes across it.
+  const Direction up{ray.view[0] * path / outer, ray.view[1] * path / outer, (r + ray.view[2] * path) / outer};
+  const Direction other = std::abs(up[0]) < 0.7 ? Direction{1, 0, 0} : Direction{0, 1, 0};
+  const double shade = dot(other, up);
+  Direction x{other[0] - shade * up[0], other[1] - shade * up[1], other[2] - shade * up[2]};
+  for (const double n = length(x); double& c : x) c /= n;
+  const Direction y{up[1] * x[2] - up[2] * x[1], up[2] * x[0] - up[0] * x[2], up[0] * x[1] - up[1] * x[0]};
+  const auto turned = [&](const Direction& d) { return Direction{dot(d, x), dot(d, y), dot(d, up)}; };
+  Ray inside{top, turned(ray.view), turned(ray.sun), std::max(ray.distance - path, 0.0)};
+  inside.view[2] = -half_chord / outer;  // its digits are what this is for
+  return inside;
+}
+
 }  // namespace
 
 struct Sky::Impl {
@@ -83,10 +105,12 @@ struct Sky::Impl {
     std::vector<double> eyes, suns;
     const double datum = datum_for(rays[which[0]].altitude);
     for (std::size_t i = 0; i < shape.texels(); ++i) {
-      const Ray& r = rays[which[std::min(i, which.size() - 1)]];
+      Ray r = rays[which[std::min(i, which.size() - 1)]];
+      r.altitude -= datum;
+      if (quantity < Quantity::sun_irradiance) r = from_entry(r, atmosphere.planet.ground_radius + datum, atmosphere.planet.top_altitude - datum);
       // Far beyond any air; float squares it.
       const double distance = std::min(r.distance, 1e15);
-      eyes.insert(eyes.end(), {r.altitude - datum, r.view[0], r.view[1], r.view[2]});
+      eyes.insert(eyes.end(), {r.altitude, r.view[0], r.view[1], r.view[2]});
       suns.insert(suns.end(), {distance, r.sun[0], r.sun[1], r.sun[2]});
     }
     std::vector<double> texels(4 * shape.texels()), more(texels.size());
