@@ -114,8 +114,10 @@ DiscInPicture disc_in_picture(const Camera& camera, Direction sun, double angula
       if (angle < nearest) nearest = angle, sun_x = cx, sun_y = cy;
     }
   }
-  // From the nearest block's centre downhill to the Sun: a pixel's size is wanted there.
-  for (double step = block / 2.0; step >= 0.5;) {
+  // From the nearest block's centre downhill to the Sun: a pixel's size is wanted there. A Sun in the picture is a block's
+  // diagonal away at most; one that is not would be chased without end.
+  int steps_left = 4 * block;
+  for (double step = block / 2.0; step >= 0.5 && steps_left-- > 0;) {
     const double before = nearest;
     for (const auto& [dx, dy] : {std::pair{step, 0.0}, {-step, 0.0}, {0.0, step}, {0.0, -step}}) {
       const double angle = apart(view(sun_x + dx, sun_y + dy));
