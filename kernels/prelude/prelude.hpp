@@ -170,53 +170,120 @@ FN Vec3 xyz(Vec4 v) { return {v.x, v.y, v.z}; }
 // scalar loop, and even the hardware's gather of one channel at a time costs twice as much.
 struct Table2 { const Element* texels; int width, height; };
 struct Table3 { const Element* texels; int width, height, depth; };
-FN Vec4 texel(const Element* t, Element i) {
-  const Element* p = t + 4 * static_cast<std::ptrdiff_t>(i);
-  return {Float::of(Rep(p[0])), Float::of(Rep(p[1])), Float::of(Rep(p[2])), Float::of(Rep(p[3]))};
-}
-template <class A> FN Vec4 texel(const float* t, xsimd::batch<float, A> i) {
-  alignas(64) std::int32_t at[lanes];
-  xsimd::to_int(i).store_aligned(at);
-#if defined(__AVX512F__)
-  __m512 q[4];
-  for (int k = 0; k < 4; ++k) {
-    q[k] = _mm512_castps128_ps512(_mm_loadu_ps(t + 4 * at[k]));
-    q[k] = _mm512_insertf32x4(q[k], _mm_loadu_ps(t + 4 * at[k + 4]), 1);
-    q[k] = _mm512_insertf32x4(q[k], _mm_loadu_ps(t + 4 * at[k + 8]), 2);
-    q[k] = _mm512_insertf32x4(q[k], _mm_loadu_ps(t + 4 * at[k + 12]), 3);
+
+// Texels of all lanes on their way from a table: loaded, mixed with their neighbours as they lie in memory, and only then turned into
+// one Float a channel: a bilinear lookup needs one transpose, not four.
+template <class R> struct Texels {
+  using At = std::ptrdiff_t;
+  using Weight = Float;
+  Vec4 v;
+  FN static At address(R i) { return 4 * static_cast<std::ptrdiff_t>(i); }
+  FN static Texels load(const R* p, At at) {
+    p += at;
+    return {Vec4(Float::of(p[0]), Float::of(p[1]), Float::of(p[2]), Float::of(p[3]))};
   }
-  const __m512 a = _mm512_unpacklo_ps(q[0], q[1]), b = _mm512_unpackhi_ps(q[0], q[1]);
-  const __m512 c = _mm512_unpacklo_ps(q[2], q[3]), d = _mm512_unpackhi_ps(q[2], q[3]);
-  return {Float::of(_mm512_shuffle_ps(a, c, 0x44)), Float::of(_mm512_shuffle_ps(a, c, 0xee)),
-          Float::of(_mm512_shuffle_ps(b, d, 0x44)), Float::of(_mm512_shuffle_ps(b, d, 0xee))};
-#elif defined(__AVX2__)
-  __m256 q[4];
-  for (int k = 0; k < 4; ++k)
-    q[k] = _mm256_insertf128_ps(_mm256_castps128_ps256(_mm_loadu_ps(t + 4 * at[k])), _mm_loadu_ps(t + 4 * at[k + 4]), 1);
-  const __m256 a = _mm256_unpacklo_ps(q[0], q[1]), b = _mm256_unpackhi_ps(q[0], q[1]);
-  const __m256 c = _mm256_unpacklo_ps(q[2], q[3]), d = _mm256_unpackhi_ps(q[2], q[3]);
-  return {Float::of(_mm256_shuffle_ps(a, c, 0x44)), Float::of(_mm256_shuffle_ps(a, c, 0xee)),
-          Float::of(_mm256_shuffle_ps(b, d, 0x44)), Float::of(_mm256_shuffle_ps(b, d, 0xee))};
-#else
-  alignas(64) float q[4][lanes];
-  for (int k = 0; k < lanes; ++k)
-    for (int j = 0; j < 4; ++j) q[j][k] = t[4 * at[k] + j];
+  FN static Weight weights(Float t) { return t; }
+  FN static Texels pair(const R* p, At at, Float t) { return mixed(load(p, at), load(p + 4, at), t); }
+  FN static Texels mixed(const Texels& a, const Texels& b, Float t) { return {mix(a.v, b.v, t)}; }
+  FN Vec4 channels() const { return v; }
+};
+template <class A> struct Texels<xsimd::batch<float, A>> {
   using B = xsimd::batch<float, A>;
-  return {Float::of(B::load_aligned(q[0])), Float::of(B::load_aligned(q[1])), Float::of(B::load_aligned(q[2])), Float::of(B::load_aligned(q[3]))};
+#if defined(__AVX512F__)
+  using Row = __m512;
+  FN static Row unpack_low(Row a, Row b) { return _mm512_unpacklo_ps(a, b); }
+  FN static Row unpack_high(Row a, Row b) { return _mm512_unpackhi_ps(a, b); }
+  FN static Row low_halves(Row a, Row b) { return _mm512_shuffle_ps(a, b, 0x44); }
+  FN static Row high_halves(Row a, Row b) { return _mm512_shuffle_ps(a, b, 0xee); }
+  template <int k> FN static Row spread(Row f) { return _mm512_permute_ps(f, k * 0x55); }
+#elif defined(__AVX2__)
+  using Row = __m256;
+  FN static Row unpack_low(Row a, Row b) { return _mm256_unpacklo_ps(a, b); }
+  FN static Row unpack_high(Row a, Row b) { return _mm256_unpackhi_ps(a, b); }
+  FN static Row low_halves(Row a, Row b) { return _mm256_shuffle_ps(a, b, 0x44); }
+  FN static Row high_halves(Row a, Row b) { return _mm256_shuffle_ps(a, b, 0xee); }
+  template <int k> FN static Row spread(Row f) { return _mm256_permute_ps(f, k * 0x55); }
+#else
+  typedef float Row __attribute__((vector_size(16)));
+  FN static Row unpack_low(Row a, Row b) { return __builtin_shufflevector(a, b, 0, 4, 1, 5); }
+  FN static Row unpack_high(Row a, Row b) { return __builtin_shufflevector(a, b, 2, 6, 3, 7); }
+  FN static Row low_halves(Row a, Row b) { return __builtin_shufflevector(a, b, 0, 1, 4, 5); }
+  FN static Row high_halves(Row a, Row b) { return __builtin_shufflevector(a, b, 2, 3, 6, 7); }
+  template <int k> FN static Row spread(Row f) { return __builtin_shufflevector(f, f, k, k, k, k); }
 #endif
-}
+  // Row k: the four channels of lane k, then (in wider registers) of lanes k + 4, k + 8, k + 12.
+  Row row[4];
+  // Texels counted double: 8 bytes each, the largest unit that an x86 address counts in.
+  struct At { alignas(64) std::uint32_t twice[lanes]; };
+  using Weight = Texels;
+
+  FN static At address(B i) {
+    At at;
+    (xsimd::to_int(i) << 1).store_aligned(reinterpret_cast<std::int32_t*>(at.twice));
+    // Through memory: gcc would pick the lanes out of the register one by one, which takes longer than all that follows.
+    asm("" : "+m"(at.twice));
+    return at;
+  }
+  FN static const float* place(const float* p, const At& at, int lane) { return p + 2 * static_cast<std::size_t>(at.twice[lane]); }
+  FN static Texels load(const float* p, const At& at) {
+    Texels t;
+    for (int k = 0; k < 4; ++k) {
+#if defined(__AVX512F__)
+      t.row[k] = _mm512_castps128_ps512(_mm_loadu_ps(place(p, at, k)));
+      t.row[k] = _mm512_insertf32x4(t.row[k], _mm_loadu_ps(place(p, at, k + 4)), 1);
+      t.row[k] = _mm512_insertf32x4(t.row[k], _mm_loadu_ps(place(p, at, k + 8)), 2);
+      t.row[k] = _mm512_insertf32x4(t.row[k], _mm_loadu_ps(place(p, at, k + 12)), 3);
+#elif defined(__AVX2__)
+      t.row[k] = _mm256_insertf128_ps(_mm256_castps128_ps256(_mm_loadu_ps(place(p, at, k))), _mm_loadu_ps(place(p, at, k + 4)), 1);
+#else
+      __builtin_memcpy(&t.row[k], place(p, at, k), sizeof(Row));
+#endif
+    }
+    return t;
+  }
+  /// A texel and its right neighbour, mixed.
+  FN static Texels pair(const float* p, const At& at, const Weight& weight) {
+#if defined(__AVX512F__)
+    Texels a, b;  // both in one load
+    for (int k = 0; k < 4; ++k) {
+      const __m512 first = _mm512_insertf32x8(_mm512_castps256_ps512(_mm256_loadu_ps(place(p, at, k))), _mm256_loadu_ps(place(p, at, k + 4)), 1);
+      const __m512 second = _mm512_insertf32x8(_mm512_castps256_ps512(_mm256_loadu_ps(place(p, at, k + 8))), _mm256_loadu_ps(place(p, at, k + 12)), 1);
+      a.row[k] = _mm512_shuffle_f32x4(first, second, 0x88);
+      b.row[k] = _mm512_shuffle_f32x4(first, second, 0xdd);
+    }
+    return mixed(a, b, weight);
+#else
+    return mixed(load(p, at), load(p + 4, at), weight);
+#endif
+  }
+  FN static Weight weights(Float t) {
+    const B lane_weights = t.v;
+    const Row f = lane_weights;
+    return {{spread<0>(f), spread<1>(f), spread<2>(f), spread<3>(f)}};
+  }
+  FN static Texels mixed(const Texels& a, const Texels& b, const Weight& t) {
+    Texels m;
+    for (int k = 0; k < 4; ++k) m.row[k] = a.row[k] + (b.row[k] - a.row[k]) * t.row[k];
+    return m;
+  }
+  FN Vec4 channels() const {
+    const Row a = unpack_low(row[0], row[1]), b = unpack_high(row[0], row[1]);
+    const Row c = unpack_low(row[2], row[3]), d = unpack_high(row[2], row[3]);
+    return {Float::of(B(low_halves(a, c))), Float::of(B(high_halves(a, c))), Float::of(B(low_halves(b, d))), Float::of(B(high_halves(b, d)))};
+  }
+};
+using Texel = Texels<Rep>;
 // Addresses: max comes first, so that a NaN becomes texel 0. Exact in float below 2^24 texels a slice.
 /// Texel at whole-numbered column and row, clamped to the table.
 FN Vec4 fetch(const Table2& t, Float column, Float row) {
   const Float x = floor(clamp(column, 0.0, double(t.width - 1))), y = floor(clamp(row, 0.0, double(t.height - 1)));
-  return texel(t.texels, (y * double(t.width) + x).v);
+  return Texel::load(t.texels, Texel::address((y * double(t.width) + x).v)).channels();
 }
 FN Scalar width_of(const Table2& t) { return Scalar(double(t.width)); }
 FN Scalar height_of(const Table2& t) { return Scalar(double(t.height)); }
 /// Texel at the same place of another table of the same shape, as a pass's own coordinates name it.
 FN Vec4 fetch_same(const Table2& t, Vec2 uv) {
-  const Float x = clamp(floor(uv.x * double(t.width)), 0.0, double(t.width - 1)), y = clamp(floor(uv.y * double(t.height)), 0.0, double(t.height - 1));
-  return texel(t.texels, (y * double(t.width) + x).v);
+  return fetch(t, uv.x * double(t.width), uv.y * double(t.height));
 }
 /// Texel at a uniform column and row: the same for all lanes.
 FN Scalar4 fetch_scalar(const Table2& t, int column, int row) {
@@ -230,22 +297,20 @@ FN Vec4 lookup_cell(const Table2& t, Float x, int row) {
   const Float i = min(floor(y), 0.5 * double(t.width) - 1.0);
   const Element* p = t.texels + 4 * std::ptrdiff_t(t.width) * row;
   const Float at = i + i;
-  return mix(texel(p, at.v), texel(p + 4, at.v), y - i);
+  return Texel::pair(p, Texel::address(at.v), Texel::weights(y - i)).channels();
 }
 /// Linear along a row whose first and last texel stand at u = 0 and u = 1.
 FN Vec4 lookup_row(const Table2& t, Float u, int row) {
   const Float x = clamp(u, 0.0, 1.0) * double(t.width - 1);
   const Float i = min(floor(x), double(t.width - 2));
   const Element* p = t.texels + 4 * std::ptrdiff_t(t.width) * row;
-  return mix(texel(p, i.v), texel(p + 4, i.v), x - i);
+  return Texel::pair(p, Texel::address(i.v), Texel::weights(x - i)).channels();
 }
 FN Vec4 bilinear(const Element* p, int width, int height, Float x, Float y) {
   const Float i = min(floor(x), double(width - 2)), j = min(floor(y), double(height - 2));
-  const Float at = j * double(width) + i;
-  const std::ptrdiff_t row = 4 * std::ptrdiff_t(width);
-  const Vec4 a = mix(texel(p, at.v), texel(p + 4, at.v), x - i);
-  const Vec4 b = mix(texel(p + row, at.v), texel(p + row + 4, at.v), x - i);
-  return mix(a, b, y - j);
+  const auto at = Texel::address((j * double(width) + i).v);
+  const auto across = Texel::weights(x - i);
+  return Texel::mixed(Texel::pair(p, at, across), Texel::pair(p + 4 * std::ptrdiff_t(width), at, across), Texel::weights(y - j)).channels();
 }
 /// Bilinear, texel centres at (i + 0.5) / size, clamped to the edge. Both sizes at least 2.
 FN Vec4 lookup(const Table2& t, Vec2 uv) {
@@ -258,12 +323,11 @@ FN Vec4 lookup(const Table3& t, Vec3 uvw) {
   const Float y = clamp(uvw.y * double(t.height) - 0.5, 0.0, double(t.height - 1));
   const Float z = clamp(uvw.z * double(t.depth) - 0.5, 0.0, double(t.depth - 1));
   const Float i = min(floor(x), double(t.width - 2)), j = min(floor(y), double(t.height - 2)), k = min(floor(z), double(t.depth - 2));
-  const Float at = (k * double(t.height) + j) * double(t.width) + i;
-  const std::ptrdiff_t row = 4 * std::ptrdiff_t(t.width), slice = row * t.height;
-  const Element* p = t.texels;
-  const Vec4 a = mix(mix(texel(p, at.v), texel(p + 4, at.v), x - i), mix(texel(p + row, at.v), texel(p + row + 4, at.v), x - i), y - j);
-  p = p + slice;
-  const Vec4 b = mix(mix(texel(p, at.v), texel(p + 4, at.v), x - i), mix(texel(p + row, at.v), texel(p + row + 4, at.v), x - i), y - j);
-  return mix(a, b, z - k);
+  const auto at = Texel::address(((k * double(t.height) + j) * double(t.width) + i).v);
+  const auto across = Texel::weights(x - i), along = Texel::weights(y - j);
+  const std::ptrdiff_t row = 4 * std::ptrdiff_t(t.width);
+  const Element *front = t.texels, *back = front + row * t.height;
+  return Texel::mixed(Texel::mixed(Texel::pair(front, at, across), Texel::pair(front + row, at, across), along),
+                      Texel::mixed(Texel::pair(back, at, across), Texel::pair(back + row, at, across), along), Texel::weights(z - k)).channels();
 }
 }  // namespace airlight::AIRLIGHT_TARGET
