@@ -65,7 +65,9 @@ FN Vec3 tone_filmic(Vec3 rgb) {
   Float high_out = tone_response(high);
   Float p2 = high_out * high_out;
   Float p4 = p2 * p2;
-  Float low_out = mix(low * (high_out / max(high, 1.0e-20)), tone_response(low), p4 * p4);
+  // Beyond white, a hundredth of the strongest channel reaches the weakest: a low sun has no blue at all, and would stand as a
+  // deep orange spot, darker than the glow around it.
+  Float low_out = mix(low * (high_out / max(high, 1.0e-20)), tone_response(low + 0.01 * max(high - 1.0, 0.0)), p4 * p4);
   Float scale = (high_out - low_out) / max(high - low, 1.0e-20);
   return Vec3(low_out + (c.x - low) * scale, low_out + (c.y - low) * scale, low_out + (c.z - low) * scale);
 }
