@@ -13,15 +13,17 @@ struct Dome {
   Scalar pad;      // [1] in 0..1
 };
 
-/// Light that reaches a place of the multiple-scattering table from one direction (64 texels a place, side by side) scattered or
-/// reflected once, per solar irradiance [1/sr]; the part of uniform light that arrives scattered or reflected once more.
-FN Vec4 skyview_multiple_directions_pass(IN(Air) air, IN(GridSize) size, Table2 zones, Table2 profile, Table2 phases, Table2 sunlight, Vec2 uv, OUT(Vec4) multiple_again) {
-  Scalar places = size.width * (1.0 / 64.0);
-  Float column = floor(uv.x * size.width);
-  Float place = floor((column + 0.5) * (1.0 / 64.0));
-  Float index = column - 64.0 * place;
+// Rows of the two tables below are directions and columns are Suns, so that the rays of one batch cross the same zones.
+
+/// Light that reaches a place of the multiple-scattering table from one direction (64 rows a place) scattered or reflected once, per
+/// solar irradiance [1/sr].
+FN Vec4 skyview_multiple_directions_pass(IN(Air) air, IN(GridSize) size, Table2 zones, Table2 profile, Table2 phases, Table2 sunlight, Vec2 uv) {
+  Scalar places = size.height * (1.0 / 64.0);
+  Float row = floor(uv.y * size.height);
+  Float place = floor((row + 0.5) * (1.0 / 64.0));
+  Float index = row - 64.0 * place;
   Float mu_s = Float(0.0);
-  Float altitude = multiple_place(air, Vec2((place + 0.5) * (1.0 / places), uv.y), places, size.height, mu_s);
+  Float altitude = multiple_place(air, Vec2(uv.x, (place + 0.5) * (1.0 / places)), size.width, places, mu_s);
   Vec3 sun = Vec3(sqrt(max((1.0 - mu_s) * (1.0 + mu_s), 0.0)), Float(0.0), mu_s);
   Float ring = floor((index + 0.5) * 0.125);
   Float z = (ring + 0.5) * 0.25 - 1.0;
@@ -30,34 +32,40 @@ FN Vec4 skyview_multiple_directions_pass(IN(Air) air, IN(GridSize) size, Table2 
   Vec3 view = Vec3(across * cos(azimuth), across * sin(azimuth), z);
   Vec4 transmittance = Vec4(0.0);
   Vec4 ground = Vec4(0.0);
-  multiple_again = scattered_again(air, zones, profile, altitude, z);
   return ray_light(air, 1, zones, profile, phases, sunlight, sunlight, sunlight, altitude, view, sun, Float(1.0e30), transmittance, ground) + ground;
+}
+
+/// The part of uniform light that arrives at an altitude (u, as v of the multiple-scattering table) from one of eight rings (v)
+/// scattered or reflected once more [1].
+FN Vec4 skyview_multiple_again_pass(IN(Air) air, IN(GridSize) size, Table2 zones, Table2 profile, Vec2 uv) {
+  Float mu_s = Float(0.0);
+  Float altitude = multiple_place(air, Vec2(uv.y, uv.x), size.height, size.width, mu_s);
+  return scattered_again(air, zones, profile, altitude, (floor(uv.y * 8.0) + 0.5) * 0.25 - 1.0);
 }
 
 /// -ln of the source of light scattered more than once, per solar irradiance and scattering coefficient [1/sr].
 /// Light of the second order is the mean over all directions of what has been scattered or reflected once; each further order
 /// is the same fraction of the one before, so that the series has a closed sum (Hillaire 2020, equations 5 to 10).
 FN Vec4 skyview_multiple_pass(IN(GridSize) size, Table2 multiple_directions, Table2 multiple_again, Vec2 uv) {
-  Float column = 64.0 * floor(uv.x * size.width);
   Float row = floor(uv.y * size.height);
-  Vec4 second = sum_of_row(multiple_directions, column, row, 64) * (1.0 / 64.0);
-  Vec4 again = sum_of_row(multiple_again, column, row, 64) * (1.0 / 64.0);
+  Vec4 second = sum_of_column(multiple_directions, floor(uv.x * size.width), 64.0 * row, 64) * (1.0 / 64.0);
+  Vec4 again = sum_of_column(multiple_again, row, Float(0.0), 8) * (1.0 / 8.0);
   return -ln4(max(second / max(Vec4(1.0) - again, 0.02), 1.0e-30));
 }
 
-/// Skylight on the ground from one direction (u) for one zenith cosine of the Sun (v), per solar irradiance [1/sr].
+/// Skylight on the ground from one direction (v) for one zenith cosine of the Sun (u), per solar irradiance [1/sr].
 FN Vec4 skyview_ground_directions_pass(IN(Air) air, IN(GridSize) size, Table2 zones, Table2 profile, Table2 phases, Table2 sunlight, Table2 multiple, Vec2 uv) {
-  Float u = 2.0 * from_half_texel(uv.y, size.height) - 1.0;
+  Float u = 2.0 * from_half_texel(uv.x, size.width) - 1.0;
   Float mu_s = u * abs(u);
   Vec3 sun = Vec3(sqrt(max((1.0 - mu_s) * (1.0 + mu_s), 0.0)), Float(0.0), mu_s);
   Vec4 transmittance = Vec4(0.0);
   Vec4 ground = Vec4(0.0);
-  return ray_light(air, 2, zones, profile, phases, sunlight, multiple, sunlight, Float(0.0), hemisphere_direction(floor(uv.x * 512.0)), sun, Float(1.0e30), transmittance, ground);
+  return ray_light(air, 2, zones, profile, phases, sunlight, multiple, sunlight, Float(0.0), hemisphere_direction(floor(uv.y * 256.0)), sun, Float(1.0e30), transmittance, ground);
 }
 
 /// -ln of the skylight on the ground, per solar irradiance [1]: one row over the Sun's zenith cosine.
 FN Vec4 skyview_ground_light_pass(IN(GridSize) size, Table2 ground_directions, Vec2 uv) {
-  return -ln4(max(sum_of_row(ground_directions, Float(0.0), floor(uv.x * size.width), 512) * (3.14159265358979 / 512.0), 1.0e-30));
+  return -ln4(max(sum_of_column(ground_directions, floor(uv.x * size.width), Float(0.0), 256) * (3.14159265358979 / 256.0), 1.0e-30));
 }
 
 // ---- the sky of one observer: u is the sine of half the azimuth from the Sun, v runs from the horizon up, then from it down ----
@@ -167,8 +175,8 @@ FN Vec4 skyview_rays_pass(IN(Air) air, Table2 zones, Table2 profile, Table2 phas
 FN Vec4 skyview_sky_light_pass(IN(Air) air, Table2 zones, Table2 profile, Table2 phases, Table2 sunlight, Table2 multiple, Table2 eyes, Table2 suns, Vec2 uv) {
   Vec4 eye = fetch(eyes, Float(0.0), floor(uv.y * height_of(eyes)));
   Vec4 at = fetch(suns, Float(0.0), floor(uv.y * height_of(suns)));
-  Vec3 view = hemisphere_direction(floor(uv.x * 512.0));
+  Vec3 view = hemisphere_direction(floor(uv.x * 256.0));
   Vec4 transmittance = Vec4(0.0);
   Vec4 ground = Vec4(0.0);
-  return ray_light(air, 2, zones, profile, phases, sunlight, multiple, sunlight, eye.x, view, Vec3(at.y, at.z, at.w), Float(1.0e30), transmittance, ground);
+  return ray_light(air, 2, zones, profile, phases, sunlight, multiple, sunlight, eye.x, view, sun_ahead(Vec3(at.y, at.z, at.w)), Float(1.0e30), transmittance, ground);
 }

@@ -122,7 +122,7 @@ struct Sky::Impl {
       b.set("suns", engine->upload(shape, suns));
       std::vector<Table> answers;
       if (sky_light) {
-        b.set("sky_light", b.run(m.sky_light, {512, height, 1})[0]);
+        b.set("sky_light", b.run(m.sky_light, {256, height, 1})[0]);
         answers = b.run("core.sky_irradiance", shape);
       } else {
         answers = b.run(quantity == Quantity::sun_irradiance ? "core.sun_irradiance" : m.rays, shape);

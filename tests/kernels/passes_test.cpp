@@ -84,7 +84,7 @@ TEST_P(Passes, answers_and_pictures_are_those_of_double) {
     } questions[] = {{"radiance", Quantity::radiance, rays.size()},
                      {"transmittance", Quantity::transmittance, rays.size()},
                      {"sun irradiance", Quantity::sun_irradiance, rays.size()},
-                     {"sky irradiance", Quantity::sky_irradiance, 8}};  // each costs 512 rays
+                     {"sky irradiance", Quantity::sky_irradiance, 8}};  // each costs 256 rays
     for (const auto& q : questions) {
       std::vector<double> expected(q.rays * wavelengths.size()), got(expected.size());
       const auto asked = std::span(rays).first(q.rays);
