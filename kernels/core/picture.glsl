@@ -1,5 +1,6 @@
 #pragma once
 #include "core/camera.glsl"
+#include "core/disc.glsl"
 #include "core/march.glsl"
 // What every picture of a sky needs: who looks, in which light, and how four wavelengths become a colour.
 
@@ -22,17 +23,6 @@ struct Display {
   Scalar pad;            // [1] in 0..1
 };
 
-/// Shape of the Sun's disc in a picture, soft by a pixel at its edge [1].
-/// @param one_minus_cos [1] in 0..1e-4
-/// @bound 1e-3 scale 1   at the limb the slope of mu^a is infinite
-FN Vec4 disc_shape(IN(Air) air, IN(Display) display, Float one_minus_cos) {
-  Float angle = sqrt(max(2.0 * one_minus_cos, 0.0));
-  Float edge = clamp((display.disc_radius - angle) * (1.0 / display.disc_edge) + 0.5, 0.0, 1.0);
-  Float x = min(angle * (1.0 / display.disc_radius), 0.9999);
-  Float mu = sqrt((1.0 - x) * (1.0 + x));
-  return power4(mu, Vec4(air.limb_darkening)) * edge;
-}
-
 /// Radiance of the Sun's disc at a pixel, seen through the air, per solar irradiance [1/sr].
 FN Vec4 disc_radiance(IN(Air) air, IN(Observer) observer, IN(Display) display, Table2 optical_depth, Vec3 view, Float one_minus_cos) {
   Vec4 light = Vec4(0.0);
@@ -48,7 +38,7 @@ FN Vec4 disc_radiance(IN(Air) air, IN(Observer) observer, IN(Display) display, T
     Vec4 through = select(skipped < 0.0, Vec4(1.0), exp(-depth));
     Bool hidden = (skipped >= 0.0) && (mu < mu_horizon(air.ground_radius, start));
     Bool seen = (2.0 * one_minus_cos < reach * reach) && !hidden;
-    light = select(seen, disc_shape(air, display, one_minus_cos) * through * Vec4(display.disc_gain), Vec4(0.0));
+    light = select(seen, disc_shape(air.limb_darkening, display.disc_radius, display.disc_edge, one_minus_cos) * through * Vec4(display.disc_gain), Vec4(0.0));
   }
   return light;
 }

@@ -4,6 +4,7 @@
 #include "prelude/prelude.hpp"
 namespace airlight::host_camera {
 #include "core/camera.glsl"
+#include "core/disc.glsl"
 }  // namespace airlight::host_camera
 
 #include <algorithm>
@@ -132,8 +133,7 @@ DiscInPicture disc_in_picture(const Camera& camera, Direction sun, double angula
   DiscInPicture disc;
   disc.edge = pixel;
   disc.radius = std::max(angular_radius, 0.6 * pixel);
-  const double whole[4] = {pi * disc.radius * disc.radius * 2 / (exponent[0] + 2), pi * disc.radius * disc.radius * 2 / (exponent[1] + 2),
-                           pi * disc.radius * disc.radius * 2 / (exponent[2] + 2), pi * disc.radius * disc.radius * 2 / (exponent[3] + 2)};
+  const host_camera::Scalar4 limb(exponent[0], exponent[1], exponent[2], exponent[3]);
   std::array<double, 4> sum{};
   const double reach = disc.radius + disc.edge;
   for (const Block& b : blocks) {
@@ -143,14 +143,17 @@ DiscInPicture disc_in_picture(const Camera& camera, Direction sun, double angula
       for (int x = b.x; x < b.x + block && (!wraps || x < camera.width); ++x) {
         const double angle = apart(view(x + 0.5, y + 0.5));
         if (angle >= reach) continue;
-        // As disc_shape in kernels/core/picture.glsl.
-        const double edge = std::clamp((disc.radius - angle) / disc.edge + 0.5, 0.0, 1.0), t = std::min(angle / disc.radius, 0.9999);
-        const double mu = std::sqrt((1 - t) * (1 + t)), omega = solid_angle(x + 0.5, y + 0.5);
-        for (std::size_t k = 0; k < 4; ++k) sum[k] += std::pow(mu, exponent[k]) * edge * omega;
+        const host_camera::Vec4 shape = disc_shape(limb, disc.radius, disc.edge, host_camera::Float(angle * angle / 2));
+        const double omega = solid_angle(x + 0.5, y + 0.5);
+        const double weights[4] = {shape.x.v, shape.y.v, shape.z.v, shape.w.v};
+        for (std::size_t k = 0; k < 4; ++k) sum[k] += weights[k] * omega;
       }
     }
   }
-  for (std::size_t k = 0; k < 4; ++k) disc.gain[k] = 1 / (sum[k] > 0 ? sum[k] : whole[k]);
+  for (std::size_t k = 0; k < 4; ++k) {
+    // No pixel sees the Sun: the gain of a resolved disc, which is never used.
+    disc.gain[k] = 1 / (sum[k] > 0 ? sum[k] : pi * disc.radius * disc.radius * 2 / (exponent[k] + 2));
+  }
   return disc;
 }
 
