@@ -1,0 +1,47 @@
+// Which air lies in the mountains' shadow: for each place the altitude above which the sun is seen.
+#pragma once
+#include <vector>
+
+#include "scene/land.h"
+
+namespace airlight {
+
+/// The square that a shadow map covers, and its finesse.
+struct ShadowGrid {
+  double east = 0, north = 0;  ///< its middle, straight (not along the sphere) in the scene's frame [m]
+  double half_width = 40'000;  ///< [m]
+  int cells = 1024;            ///< along a side
+};
+
+/// Rays to the sun are parallel, so the map lies in straight axes of the scene's frame, `along` pointing to the sun's
+/// azimuth: along a view ray the map's coordinates are linear in distance. A point's altitude above the sphere is
+/// compared with two values per cell; between them the sun's disc is seen in part (disc_fraction()).
+struct ShadowMap {
+  std::array<double, 2> along{}, across{};   ///< horizontal unit vectors (east, north)
+  double first_along = 0, first_across = 0;  ///< of the first cell's centre [m]
+  double spacing = 1;                        ///< [m]
+  int cells = 0;                             ///< a side
+  /// Altitude [m] below which no part of the sun is seen; and above which all is. Row after row of `across`, `along`
+  /// fastest.
+  std::vector<float> dark, lit;
+
+  /// Texel coordinates (0 = first cell's centre) of a point of the scene.
+  std::array<double, 2> texel(const Position& p) const {
+    return {(p[0] * along[0] + p[1] * along[1] - first_along) / spacing,
+            (p[0] * across[0] + p[1] * across[1] - first_across) / spacing};
+  }
+  /// Fraction of the sun's disc seen from a point of the scene at an altitude [m]: bilinear; held constant beyond the
+  /// edge.
+  double visibility(const Position& p, double altitude) const;
+};
+
+/// The map for a sun, occluders between the map and the sun included as far as the land has relief, and the planet's
+/// own bulge.
+/// @param sun             unit, towards the centre; may be below the horizon
+/// @param angular_radius  [rad]
+ShadowMap shadow_map(const Land& land, const Direction& sun, double angular_radius, const ShadowGrid& grid);
+
+/// Part of a disc above a level line at `height` (-1: below the disc, 1: above it) in disc radii.
+double disc_fraction(double height);
+
+}  // namespace airlight
