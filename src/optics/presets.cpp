@@ -42,6 +42,7 @@ Constituent continental_aerosol(double optical_depth) {
 Constituent ozone_layer(double dobson) {
   // Mid-latitude ozone model of the US Standard Atmosphere 1976 (Krueger & Minzner 1976, J. Geophys. Res. 81, 4477):
   // number density [1e18 / m^3] every 2 km from 2 km. Its own column, 345 Dobson units, is scaled to the one asked for.
+  // Up to 50 km the US standard profile of Anderson et al. 1986 (AFGL-TR-86-0110) is the same within 2 % (tested).
   constexpr std::array<double, 37> table{
       0.68,   0.58,   0.57,   0.65,    1.13,    2.02,    2.35,    2.95,    4.04,    4.77,    4.86,   4.54,   4.03,
       3.24,   2.52,   2.03,   1.58,    1.22,    0.873,   0.607,   0.398,   0.274,   0.169,   0.103,  0.0664, 0.0384,
@@ -94,17 +95,20 @@ Atmosphere earth_bruneton() {
 Atmosphere mars_clear() {
   Atmosphere mars;
   mars.name = "mars-clear";
-  // Mean radius, surface pressure, scale height, gravity and mean molecular weight: NASA Mars Fact Sheet.
-  constexpr double pressure = 610, scale_height = 11'100, gravity = 3.71, molecule = 43.34 * 1.66053906660e-27;
+  // Mean radius, scale height, gravity and mean molecular weight: NASA Mars Fact Sheet. It gives 636 Pa at the mean
+  // radius, 400 to 870 Pa over the year; 610 Pa is what dust optical depths are normalised to (see below).
+  constexpr double pressure = 610, scale_height = 11'100, gravity = 3.73, molecule = 43.34 * 1.66053906660e-27;
   // The ground takes Mars' geometric albedos in U, B, V, R and I (Mallama, Krobusek & Pavlov 2017, Icarus 282, 19,
-  // rounded): that is the colour of the mean surface; a Lambertian ground of that albedo is within the spread of dark
-  // and bright land.
+  // rounded; V is 0.170 in the Fact Sheet too, a second source for the others was not found): that is the colour of the
+  // mean surface; a Lambertian ground of that albedo is within the spread of dark and bright land.
   mars.planet = {
       3'389'500, 120'000,
       Spectrum(TableSpectrum{{360, 436, 549, 700, 900}, {0.06, 0.09, 0.17, 0.25, 0.29}, Sampling::point, ""})};
   mars.sun = sun_at(1.524);  // semi-major axis
 
-  const Profile mixed = ExponentialProfile{scale_height};  // dust is mixed with the gas
+  // Dust is mixed with the gas; its scale height was found to be 6 to 12 km, by season (Vincendon & Langevin 2010,
+  // Icarus 207, 923).
+  const Profile mixed = ExponentialProfile{scale_height};
   // Carbon dioxide: a power law through Sneep & Ubachs 2005 (J. Quant. Spectrosc. Radiat. Transf. 92, 293; refractive
   // index of Bideau-Mehu 1973, King factor of Alms 1975), good to 1.4 % from 360 to 830 nm; a hundredth of the dust's
   // effect.
@@ -112,19 +116,22 @@ Atmosphere mars_clear() {
   const Spectrum gas(PowerSpectrum{550, number_density * 1.171e-30, -4.115});
   constexpr double carbon_dioxide_king_factor = 1.1448;  // at 550 nm
 
-  // Dust, optical depth 0.3: the clear season (a year's global mean without storms is 0.38, its least 0.2: Montabone et
-  // al. 2015, Icarus 251, 65). Extinction does not change with wavelength for particles of 1.5 um.
+  // Dust, optical depth 0.3: the clear season. In years without a global storm the planet's mean at 610 Pa is 0.38, its
+  // least 0.2 (climatology of the Mars Climate Database after Montabone et al. 2015, Icarus 251, 65: absorption at
+  // 9.3 um, times their 2.6 for visible light). Extinction by particles of 1.5 um hardly changes with wavelength: by 3
+  // % from 600 to 880 nm.
   const double extinction = 0.3 / path_length(mixed, mars.planet.top_altitude);
   // Iron oxides absorb blue: this makes the sky butterscotch. Wolff et al. 2009 (J. Geophys. Res. 114, E00D04) as the
   // LMD Mars climate model tabulates them for 1.5 um: 0.73 at 388 nm, 0.967 at 650 nm, 0.975 at 700 nm; below,
-  // Ockert-Bell et al. 1997 (J. Geophys. Res. 102, 9039): 0.619 over 240 to 400 nm.
+  // Ockert-Bell et al. 1997 (J. Geophys. Res. 102, 9039) as the NASA Ames climate model weighs them with a Planck
+  // spectrum of 6000 K: 1.623 / 2.622 over 240 to 400 nm, where no wavelength of ours but 360 to 388 nm lies.
   const Spectrum albedo(
       TableSpectrum{{320, 388, 650, 700, 1050}, {0.619, 0.73, 0.967, 0.975, 0.975}, Sampling::point, ""});
   // The sky of Gale crater at 650 nm is a sum of two lobes, g = 0.889 (share 0.743) and g = 0.094 (Chen-Chen,
-  // Pérez-Hoyos & Sánchez-Lavega 2019, Icarus 330, 16). Shorter waves are diffracted less: asymmetry is 0.856 over 240
-  // to 400 nm, 0.700 over 400 to 800 nm and 0.634 over 800 to 1310 nm (Ockert-Bell et al. 1997). The lobes keep their
-  // shape and the forward one's share follows the asymmetry: this makes the sun's surroundings bluer than the rest of
-  // the sky.
+  // Pérez-Hoyos & Sánchez-Lavega 2019, Icarus 330, 16: fits of 10 to 150 degrees; g to 0.1 and 0.25, share to 0.1).
+  // Shorter waves are diffracted less: asymmetry is 0.856 over 240 to 400 nm, 0.700 over 400 to 800 nm and 0.634 over
+  // 800 to 1310 nm (Ockert-Bell et al. 1997, weighed as above). The lobes keep their shape and the forward one's share
+  // follows the asymmetry: this makes the sun's surroundings bluer than the rest of the sky.
   constexpr double forward_g = 0.889, wide_g = 0.094;
   const auto share = [&](double asymmetry) { return (asymmetry - wide_g) / (forward_g - wide_g); };
   const Spectrum forward(TableSpectrum{
