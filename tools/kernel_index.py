@@ -16,7 +16,8 @@ TYPES = {"Float": 1, "Vec2": 2, "Vec3": 3, "Vec4": 4, "Bool": 1, "Scalar": 1, "S
 TABLES = {"Table2", "Table3"}
 UNIFORM = {"Scalar", "Scalar4", "int"}
 REFUSED = set("pow acos asin atan log log2 exp2 tan inversesqrt mod fract sign step length distance normalize cross "
-              "reflect refract smoothstep round trunc ceil isnan isinf dFdx dFdy texture texelFetch textureSize".split())
+              "reflect refract smoothstep round trunc ceil isnan isinf dFdx dFdy texture texelFetch "
+              "textureSize".split())
 
 
 class Fail(Exception):
