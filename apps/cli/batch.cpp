@@ -16,36 +16,33 @@ namespace {
 
 struct Job {
   BatchRequest request;
-  std::vector<double> values;
+  Answer answer;
 };
 
-void answer_together(Skies& skies, std::span<Job* const> group) {
-  const Topic& topic = group.front()->request.topic;
+void answer_together(Answerers& answerers, std::span<Job* const> group) {
   std::vector<Ray> rays;
   for (const Job* job : group) rays.push_back(job->request.ray);
-  const auto all =
-      answer(skies.sky(topic.atmosphere, topic.model), *topic.asked, rays, topic.wavelengths, topic.max_order);
-  const std::size_t width = all.size() / group.size();
+  std::vector<Answer> answers = answerers.answer(group.front()->request.topic, rays);
   for (std::size_t i = 0; i < group.size(); ++i) {
-    group[i]->values.assign(all.begin() + i * width, all.begin() + (i + 1) * width);
-    for (const double value : group[i]->values)
+    group[i]->answer = std::move(answers[i]);
+    for (const double value : group[i]->answer.value)
       if (!std::isfinite(value)) group[i]->request.error = "the model's answer is not a finite number";
   }
 }
 
 /// Answers jobs of one topic. When one of them is out of range, halves the group until that one stands alone with its
 /// error.
-void answer_group(Skies& skies, std::span<Job* const> group) {
+void answer_group(Answerers& answerers, std::span<Job* const> group) {
   check_interrupt();
   try {
-    answer_together(skies, group);
+    answer_together(answerers, group);
   } catch (const InputError& error) {
     if (group.size() == 1) {
       group.front()->request.error = error.what();
       return;
     }
-    answer_group(skies, group.first(group.size() / 2));
-    answer_group(skies, group.subspan(group.size() / 2));
+    answer_group(answerers, group.first(group.size() / 2));
+    answer_group(answerers, group.subspan(group.size() / 2));
   } catch (const WorkError& error) {
     for (Job* job : group) job->request.error = error.what();
   }
@@ -53,7 +50,7 @@ void answer_group(Skies& skies, std::span<Job* const> group) {
 
 }  // namespace
 
-int answer_batch(const std::string& input, const std::string& output, Skies& skies, const Topic& otherwise) {
+int answer_batch(const std::string& input, const std::string& output, Answerers& answerers, const Topic& otherwise) {
   bool all_answered = true;
   const auto answer_chunk = [&](const std::string& name, std::span<const LineReader::Line> lines) {
     std::vector<Job> jobs;
@@ -64,15 +61,17 @@ int answer_batch(const std::string& input, const std::string& output, Skies& ski
     std::map<Topic, std::vector<Job*>> topics;
     for (Job& job : jobs)
       if (job.request.error.empty()) topics[job.request.topic].push_back(&job);
-    for (const auto& [topic, group] : topics) answer_group(skies, group);
+    for (const auto& [topic, group] : topics) answer_group(answerers, group);
 
     std::vector<std::string> texts;
     for (std::size_t i = 0; i < jobs.size(); ++i) {
-      const auto& [request, values] = jobs[i];
+      const auto& [request, answer] = jobs[i];
       all_answered = all_answered && request.error.empty();
+      nlohmann::ordered_json line{{"id", request.id}, {"value", answer.value}};
+      line.update(answer.more);
       texts.push_back(
           to_line(request.error.empty()
-                      ? nlohmann::ordered_json{{"id", request.id}, {"value", values}}
+                      ? line
                       : error_answer(request.id, fmt::format("{}:{}: {}", name, lines[i].number, request.error))));
     }
     return texts;

@@ -9,6 +9,6 @@ namespace airlight::cli {
 
 /// @param otherwise  atmosphere and model of lines that name none
 /// @returns          exit code: 0, or 1 when a line could not be answered
-int answer_batch(const std::string& input, const std::string& output, Skies& skies, const Topic& otherwise);
+int answer_batch(const std::string& input, const std::string& output, Answerers& answerers, const Topic& otherwise);
 
 }  // namespace airlight::cli

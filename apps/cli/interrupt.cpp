@@ -14,7 +14,7 @@ volatile std::sig_atomic_t flag = 0;
 // Both may do only what POSIX allows in a signal handler.
 void leave(int) {
   OutputFile::remove_all();
-  constexpr char message[] = "airlight: interrupted; nothing was written\n";
+  constexpr char message[] = "airlight: interrupted\n";
   [[maybe_unused]] const auto written = write(STDERR_FILENO, message, sizeof message - 1);
   _exit(130);
 }

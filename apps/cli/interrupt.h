@@ -1,12 +1,13 @@
 // Ctrl-C, noticed between pieces of work, so that the way out cleans up as any other failure does.
 #pragma once
-#include <exception>
+#include <stdexcept>
+#include <string>
 
 namespace airlight::cli {
 
-/// Thrown by check_interrupt(); the program ends with exit code 130.
-struct Interrupted : std::exception {
-  const char* what() const noexcept override { return "interrupted"; }
+/// Thrown by check_interrupt(); the program says what it says and ends with exit code 130.
+struct Interrupted : std::runtime_error {
+  explicit Interrupted(const std::string& left = "nothing was written") : std::runtime_error("interrupted; " + left) {}
 };
 
 /// From now on SIGINT, SIGTERM and SIGHUP set a flag. Where nobody looks at it for a second (a strip of many seconds, a

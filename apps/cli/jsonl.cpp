@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <cstring>
 #include <utility>
 
@@ -90,17 +91,30 @@ std::vector<LineReader::Line> LineReader::next(std::size_t most) {
 void answer_lines(
     const std::string& input, const std::string& output, const std::string& what,
     const std::function<std::vector<std::string>(const std::string&, std::span<const LineReader::Line>)>& answer) {
-  constexpr std::size_t chunk = 8192;
+  // Lines that are answered together save work; lines that take long are written soon, so that an interrupt loses
+  // little.
+  constexpr std::size_t most = 8192;
+  constexpr std::chrono::duration<double> quick(0.2), slow(1);
   LineReader reader(input);
-  TextOutput out(output);
+  TextOutput out(output, OutputFile::Unfinished::keep);
   Progress progress(what);
-  for (;;) {
-    const auto lines = reader.next(chunk);
-    if (lines.empty()) break;
-    std::string text;
-    for (const std::string& line : answer(reader.name(), lines)) text += line;
-    out.write(text);
-    progress.show(reader.fraction());
+  std::size_t answered = 0;
+  try {
+    for (std::size_t chunk = 16;;) {
+      const auto lines = reader.next(chunk);
+      if (lines.empty()) break;
+      const auto start = std::chrono::steady_clock::now();
+      std::string text;
+      for (const std::string& line : answer(reader.name(), lines)) text += line;
+      out.write(text);
+      answered += lines.size();
+      progress.show(reader.fraction());
+      const auto taken = std::chrono::steady_clock::now() - start;
+      chunk = taken < quick ? std::min(4 * chunk, most) : taken > slow ? std::max<std::size_t>(chunk / 4, 1) : chunk;
+    }
+  } catch (const Interrupted&) {
+    if (out.kept().empty()) throw;
+    throw Interrupted(fmt::format("the first {} answers are in {}", answered, out.kept()));
   }
   out.finish();
 }

@@ -44,7 +44,8 @@ class LineReader {
 };
 
 /// Answers every line: each chunk in turn goes through `answer`, which returns one line of output for each (its end
-/// included).
+/// included). An output file is written as NAME.partial, whole lines only, and renamed at the end; after an interrupt
+/// or a failure it stays under that name.
 /// @param answer  must report bad lines in its answers
 void answer_lines(
     const std::string& input, const std::string& output, const std::string& what,

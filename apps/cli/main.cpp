@@ -37,9 +37,8 @@ int run(int argc, char** argv) {
     return bad_input;
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? ok : bad_input;
-  } catch (const Interrupted&) {
-    std::fprintf(stderr, "airlight: interrupted; nothing was written\n");
-    return interrupted_code;
+  } catch (const Interrupted& interruption) {
+    return complain(interruption, interrupted_code);
   } catch (const airlight::InputError& error) {
     return complain(error, bad_input);
   } catch (const std::bad_alloc&) {

@@ -33,13 +33,13 @@ std::string join(const Names& names) {
   return text;
 }
 
+}  // namespace
+
 std::vector<std::string_view> model_names() {
   std::vector<std::string_view> names;
   for (const ModelInfo& model : models()) names.push_back(model.name);
   return names;
 }
-
-}  // namespace
 
 void add_air_overrides(CLI::App& app, AirOverrides& overrides) {
   add_number(app, "--aerosol-optical-depth", overrides.aerosol_optical_depth, {0, 100, ""},
@@ -116,8 +116,8 @@ void SunPlace::apply_distance(Atmosphere& atmosphere) const {
   atmosphere.sun.angular_radius /= distance;  // the disc's radiance stays the same
 }
 
-void MachineOptions::add_to(CLI::App& app) {
-  app.add_option("--model", model, fmt::format("{} (default {})", join(model_names()), model))
+void MachineOptions::add_to(CLI::App& app, const std::vector<std::string_view>& models) {
+  app.add_option("--model", model, fmt::format("{} (default {})", join(models), model))
       ->group(machine_group)
       ->type_name("NAME");
   add_engine(app, engine);
@@ -129,9 +129,11 @@ void add_engine(CLI::App& app, std::string& engine) {
       ->type_name("NAME");
 }
 
-void check_model_name(std::string_view model, std::string_view option) { check_name(model, option, model_names()); }
+void check_model_name(std::string_view model, std::string_view option, const std::vector<std::string_view>& known) {
+  check_name(model, option, known);
+}
 
-void MachineOptions::check_model() const { check_model_name(model, "--model"); }
+void MachineOptions::check_model() const { check_model_name(model, "--model", model_names()); }
 
 std::shared_ptr<Engine> MachineOptions::make() const { return engine_named(engine); }
 

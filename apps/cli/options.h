@@ -52,11 +52,15 @@ struct SunOptions {
   SunPlace resolve() const;
 };
 
+/// The models of the sky.
+std::vector<std::string_view> model_names();
+
 /// --model and --engine
 struct MachineOptions {
   std::string model = "skyview", engine = "simd";
 
-  void add_to(CLI::App& app);
+  /// @param models  the names that --help lists
+  void add_to(CLI::App& app, const std::vector<std::string_view>& models = model_names());
   /// @throws InputError for unknown names, with "did you mean".
   void check_model() const;
   std::shared_ptr<Engine> make() const;
@@ -67,7 +71,7 @@ void add_engine(CLI::App& app, std::string& engine);
 std::shared_ptr<Engine> engine_named(const std::string& engine);
 
 /// @throws InputError "--model = skyveiw: unknown; did you mean skyview?"
-void check_model_name(std::string_view model, std::string_view option);
+void check_model_name(std::string_view model, std::string_view option, const std::vector<std::string_view>& known);
 
 /// "simd (avx512, 2 threads)"
 std::string describe(const Engine& engine);

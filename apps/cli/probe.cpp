@@ -10,6 +10,7 @@
 #include "json_line.h"
 #include "number_option.h"
 #include "options.h"
+#include "scenefile/atmosphere_file.h"
 #include "text_output.h"
 
 namespace airlight::cli {
@@ -45,11 +46,12 @@ Report make_report(const ProbeOptions& options) {
   report.wavelengths = parse_wavelengths(options.wavelengths, "--wavelengths");
   Atmosphere atmosphere = options.air.load();
   report.sun.apply_distance(atmosphere);
-  options.machine.check_model();
-  const Sky sky(atmosphere, options.machine.model, options.machine.make());
+  check_model_name(options.machine.model, "--model", answering_models());
+  Answerers answerers({options.machine.make(), [&](const std::string&) { return atmosphere; }});
+  Answerer& answerer = answerers.named(options.machine.model);
   report.atmosphere = atmosphere.name;
-  report.model = sky.model();
-  report.engine = describe(sky.engine());
+  report.model = options.machine.model;
+  report.engine = answerer.engine();
 
   Ray ray;
   ray.altitude = options.altitude;
@@ -57,12 +59,16 @@ Report make_report(const ProbeOptions& options) {
   ray.sun = report.sun.direction();
   if (options.distance) ray.distance = *options.distance;
   const std::span rays(&ray, 1);
+  const auto ask = [&](const Asked& asked, const std::vector<double>& wavelengths) {
+    return answerer.answer({options.air.planet, options.machine.model, &asked, wavelengths, options.max_order}, rays)
+        .front()
+        .value;
+  };
   for (const Asked& asked : all_asked())
-    report.rows.push_back(
-        {&asked, answer(sky, asked, rays, asked.photometric ? std::span<const double>() : report.wavelengths,
-                        options.max_order)});
+    if (answerer.has(asked))
+      report.rows.push_back({&asked, ask(asked, asked.photometric ? std::vector<double>() : report.wavelengths)});
   const auto eye = photometric_wavelengths();
-  report.xyz = spectrum_to_xyz(eye, answer(sky, asked("radiance"), rays, eye, options.max_order));
+  report.xyz = spectrum_to_xyz(eye, ask(asked("radiance"), eye));
   return report;
 }
 
@@ -143,10 +149,11 @@ std::string as_json(const Report& report, const ProbeOptions& options) {
 
 int run_probe(const ProbeOptions& options) {
   if (!options.batch.empty()) {
-    options.machine.check_model();
-    Skies skies(options.machine.make(), options.air.overrides);
-    return answer_batch(options.batch, options.output, skies,
-                        {options.air.planet, options.machine.model, nullptr, {}, 0});
+    check_model_name(options.machine.model, "--model", answering_models());
+    Answerers answerers({options.machine.make(), [&](const std::string& name) {
+                           return with_overrides(load_atmosphere(name), options.air.overrides);
+                         }});
+    return answer_batch(options.batch, options.output, answerers, {options.air.planet, options.machine.model});
   }
   const Report report = make_report(options);
   write_text(options.output, options.json ? as_json(report, options) : as_table(report, options));
@@ -184,7 +191,7 @@ void add_probe(CLI::App& app, Command& chosen) {
       ->excludes(batch);
   options->sun.add_to(probe);
   options->air.add_to(probe);
-  options->machine.add_to(probe);
+  options->machine.add_to(probe, answering_models());
   probe.callback([options, &chosen] { chosen = [options] { return run_probe(*options); }; });
 }
 

@@ -27,8 +27,9 @@ const Asked& asked(std::string_view name);
 struct Topic {
   std::string atmosphere, model;
   const Asked* asked = nullptr;
-  std::vector<double> wavelengths;  ///< [nm]; empty: photometric_wavelengths()
-  int max_order = 0;                ///< 0: all
+  std::vector<double> wavelengths = {};  ///< [nm]; empty: photometric_wavelengths()
+  int max_order = 0;                     ///< 0: all
+  std::string own = {};  ///< what only this model is asked, as canonical JSON; read where it is answered
   auto operator<=>(const Topic&) const = default;
 };
 

@@ -10,8 +10,8 @@
 
 namespace airlight::cli {
 
-TextOutput::TextOutput(const std::string& path) {
-  if (path != "-") file_.emplace(path);
+TextOutput::TextOutput(const std::string& path, OutputFile::Unfinished unfinished) {
+  if (path != "-") file_.emplace(path, unfinished);
 }
 
 void TextOutput::write(std::string_view text) {

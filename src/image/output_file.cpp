@@ -67,7 +67,8 @@ std::optional<int> descriptor_of(const std::string& path) {
 
 }  // namespace
 
-OutputFile::OutputFile(std::string target) : target_(std::move(target)), destination_(target_) {
+OutputFile::OutputFile(std::string target, Unfinished unfinished)
+    : target_(std::move(target)), destination_(target_), keep_(unfinished == Unfinished::keep) {
   [[maybe_unused]] static const bool ignored = [] {
     std::signal(SIGXFSZ, SIG_IGN);
     std::signal(SIGPIPE, SIG_IGN);
@@ -91,6 +92,11 @@ OutputFile::OutputFile(std::string target) : target_(std::move(target)), destina
   if (exists && descriptor_ < 0 && ::access(destination_.c_str(), W_OK) != 0) refuse(std::strerror(errno));
   direct_ = descriptor_ >= 0 || (exists && !S_ISREG(status.st_mode));
 
+  if (keep_ && direct_) {
+    file_ = open_target();
+    if (file_ < 0) refuse(std::strerror(errno));
+    return;
+  }
   fs::path folder = direct_ ? fs::temp_directory_path(error) : fs::path(destination_).parent_path();
   if (folder.empty()) folder = ".";
   if (!fs::is_directory(folder, error)) refuse("the folder '" + folder.string() + "' does not exist");
@@ -103,11 +109,17 @@ OutputFile::OutputFile(std::string target) : target_(std::move(target)), destina
     temporary_ =
         (folder / (".airlight-" + std::to_string(::getpid()) + "-" + std::to_string(count++) + ".tmp" + ending))
             .string();
+    if (keep_) {
+      // Made anew, never cut short: the one there may be what this program reads.
+      temporary_ = destination_ + ".partial";
+      ::unlink(temporary_.c_str());
+    }
     file_ = retried(
         [&] { return ::open(temporary_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, direct_ ? 0600 : 0666); });
   } while (file_ < 0 && errno == EEXIST);
   if (file_ < 0) refuse("a file cannot be made in '" + folder.string() + "': " + std::strerror(errno));
   if (exists && !direct_) ::fchmod(file_, status.st_mode & 07777);  // as if it had been opened and overwritten
+  if (keep_) return;
 
   for (name_ = Name::all; name_ && name_->taken.exchange(true); name_ = name_->next) {
   }
@@ -126,17 +138,27 @@ OutputFile::OutputFile(std::string target) : target_(std::move(target)), destina
 
 OutputFile::~OutputFile() {
   if (file_ >= 0) ::close(file_);
-  if (!done_) ::unlink(temporary_.c_str());
+  if (!done_ && !temporary_.empty() && kept().empty()) ::unlink(temporary_.c_str());
+  if (!name_) return;
   name_->shown = false;
   name_->taken = false;
 }
 
 void OutputFile::fail(int reason) {
-  ::unlink(temporary_.c_str());
-  throw WorkError("writing '" + target_ + "' failed: " + std::strerror(reason));
+  const std::string rest = kept();
+  if (rest.empty()) {
+    if (!temporary_.empty()) ::unlink(temporary_.c_str());
+  } else if (file_ >= 0) {
+    [[maybe_unused]] const int cut = ::ftruncate(file_, off_t(size_));  // to the last whole append
+  }
+  throw WorkError("writing '" + target_ + "' failed: " + std::strerror(reason) +
+                  (rest.empty() ? "" : "; '" + rest + "' holds what was written before"));
 }
 
-void OutputFile::write(std::string_view bytes) { write_at(size_, bytes); }
+void OutputFile::write(std::string_view bytes) {
+  if (!(keep_ && direct_)) return write_at(size_, bytes);
+  if (const int reason = write_whole(file_, bytes)) fail(reason);
+}
 
 void OutputFile::write_at(std::uint64_t offset, std::string_view bytes) {
   if (const int reason = write_whole(file_, bytes, off_t(offset))) fail(reason);
@@ -144,6 +166,11 @@ void OutputFile::write_at(std::uint64_t offset, std::string_view bytes) {
 }
 
 void OutputFile::commit() {
+  if (keep_ && direct_) {
+    if (::close(std::exchange(file_, -1)) != 0) fail(errno);
+    done_ = true;
+    return;
+  }
   if (direct_) copy_to_target();
   // Some disks (network, quota) tell only here that the bytes did not fit; a rename before would show a broken file.
   else if (retried([&] { return ::fsync(file_); }) != 0 && errno != EINVAL)
@@ -152,12 +179,16 @@ void OutputFile::commit() {
   if (direct_ ? ::unlink(temporary_.c_str()) != 0 : ::rename(temporary_.c_str(), destination_.c_str()) != 0)
     fail(errno);
   done_ = true;
-  name_->shown = false;
+  if (name_) name_->shown = false;
+}
+
+int OutputFile::open_target() const {
+  return retried(
+      [&] { return descriptor_ >= 0 ? ::dup(descriptor_) : ::open(destination_.c_str(), O_WRONLY | O_CLOEXEC); });
 }
 
 void OutputFile::copy_to_target() {
-  const int out = retried(
-      [&] { return descriptor_ >= 0 ? ::dup(descriptor_) : ::open(destination_.c_str(), O_WRONLY | O_CLOEXEC); });
+  const int out = open_target();
   if (out < 0) fail(errno);
   int reason = 0;
   char block[1 << 16];

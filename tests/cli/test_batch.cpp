@@ -1,7 +1,13 @@
 // `airlight probe --batch`.
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
+#include <chrono>
 #include <cmath>
+#include <csignal>
+#include <thread>
 
 #include "run_program.h"
 
@@ -148,6 +154,112 @@ TEST(Batch, reads_and_replaces_one_and_the_same_file) {
   EXPECT_TRUE(answers[0].contains("value"));
   EXPECT_EQ(folder.names(), std::vector<std::string>{"all.jsonl"});
 }
+
+/// Writes to a pipe and waits until a file is there. @returns whether it came within 20 s
+bool write_and_await(int pipe, const std::string& text, const std::string& file) {
+  if (write(pipe, text.data(), text.size()) != ssize_t(text.size())) return false;
+  for (int i = 0; i < 1000; ++i) {
+    std::error_code none;
+    if (std::filesystem::file_size(file, none) > 0 && !none) return true;
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+  return false;
+}
+
+TEST(Batch, an_interrupt_keeps_what_is_answered_beside_the_old_file) {
+  const Folder folder;
+  ASSERT_EQ(mkfifo((folder / "in.jsonl").c_str(), 0600), 0);
+  write_file(folder / "out.jsonl", "precious");
+  Program program(folder, {"probe", "--batch", "in.jsonl", "-o", "out.jsonl"});
+  const int pipe = open((folder / "in.jsonl").c_str(), O_WRONLY);
+  ASSERT_GE(pipe, 0);
+  ASSERT_TRUE(write_and_await(pipe, lines({example, example}), folder / "out.jsonl.partial"));
+  program.signal(SIGINT);
+  const Outcome outcome = program.wait(10);
+  close(pipe);
+  EXPECT_EQ(outcome.code, 130);
+  EXPECT_NE(outcome.err.find("the first 2 answers are in out.jsonl.partial"), std::string::npos) << outcome.err;
+  EXPECT_EQ(json_lines(read_file(folder / "out.jsonl.partial")).size(), 2u);
+  EXPECT_EQ(read_file(folder / "out.jsonl"), "precious");
+
+  // The next run that ends well leaves neither the rest nor the old file.
+  write_file(folder / "again.jsonl", lines({example}));
+  EXPECT_EQ(run(folder, {"probe", "--batch", "again.jsonl", "-o", "out.jsonl"}).code, 0);
+  EXPECT_EQ(folder.names(), (std::vector<std::string>{"again.jsonl", "in.jsonl", "out.jsonl"}));
+  EXPECT_EQ(json_lines(read_file(folder / "out.jsonl")).size(), 1u);
+}
+
+TEST(Batch, reads_and_replaces_what_an_interrupt_left) {
+  const Folder folder;
+  write_file(folder / "a.partial", lines({example}));
+  EXPECT_EQ(run(folder, {"probe", "--batch", "a.partial", "-o", "a"}).code, 0);
+  EXPECT_EQ(json_lines(read_file(folder / "a")).size(), 1u);
+}
+
+TEST(Batch, a_full_disk_keeps_whole_lines) {
+  const Folder folder;
+  write_file(folder / "in.jsonl", lines(std::vector<json>(2000, example)));
+  const Outcome outcome = run(folder, {"probe", "--batch", "in.jsonl", "-o", "out.jsonl"}, {.file_size_limit = 20000});
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_NE(outcome.err.find("out.jsonl.partial"), std::string::npos) << outcome.err;
+  EXPECT_EQ(folder.names(), (std::vector<std::string>{"in.jsonl", "out.jsonl.partial"}));
+  const std::string kept = read_file(folder / "out.jsonl.partial");
+  ASSERT_FALSE(kept.empty());
+  EXPECT_EQ(kept.back(), '\n');
+  for (const json& answer : json_lines(kept)) EXPECT_EQ(answer["id"], "a");
+}
+
+TEST(Batch, a_device_is_written_at_once) {
+  const Folder folder;
+  const Outcome outcome = run(folder, {"probe", "--batch", "-", "-o", "/dev/stdout"}, {.input = lines({example})});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(json_lines(outcome.out).size(), 1u);
+  EXPECT_TRUE(folder.names().empty());
+}
+
+#ifdef AIRLIGHT_WITH_REFERENCE
+// A model whose tables are single precision, and the quadrature that it is judged by: the accuracy that
+// docs/accuracy.md states for rays by day, with room.
+TEST(Batch, the_reference_answers_like_the_model_that_it_judges) {
+  std::vector<json> questions;
+  for (const char* quantity :
+       {"radiance", "path_radiance", "transmittance", "sun_irradiance", "luminance", "sun_illuminance"})
+    for (const char* model : {"single", "reference-single"}) {
+      // Down to the ground, so that radiance and path radiance differ.
+      questions.push_back(with(example, {{"quantity", quantity}, {"model", model}, {"altitude", 2000}}));
+      questions.back()["view_zenith"] = 100;
+    }
+  const Outcome outcome = batch(lines(questions));
+  ASSERT_EQ(outcome.code, 0) << outcome.out;
+  const auto answers = json_lines(outcome.out);
+  ASSERT_EQ(answers.size(), questions.size());
+  for (std::size_t i = 0; i < answers.size(); i += 2)
+    for (std::size_t w = 0; w < answers[i]["value"].size(); ++w)
+      EXPECT_NEAR(answers[i]["value"][w].get<double>() / answers[i + 1]["value"][w].get<double>(), 1, 3e-3)
+          << questions[i];
+  EXPECT_GT(number(answers[0]), 1.02 * number(answers[2])) << "the ground shines";
+}
+
+TEST(Batch, the_reference_says_what_it_cannot_answer) {
+  const json line = with(example, {{"model", "reference-single"}});
+  const auto answers =
+      json_lines(batch(lines({with(line, {{"quantity", "sky_irradiance"}}), with(line, {{"max_order", 2}}),
+                              with(line, {{"wavelengths", {100}}}), with(line, {{"max_order", 1}})}))
+                     .out);
+  ASSERT_EQ(answers.size(), 4u);
+  const char* const fragments[] = {"quantity = sky_irradiance: model reference-single does not compute it",
+                                   "max_order = 2: expected 0 or 1", "expected 360 .. 830 nm"};
+  for (int i = 0; i < 3; ++i)
+    EXPECT_NE(answers[i].value("error", "").find(fragments[i]), std::string::npos) << answers[i];
+  EXPECT_TRUE(answers[3].contains("value"));
+}
+#else
+TEST(Batch, a_reference_that_is_not_built_in_says_so) {
+  const auto answers = json_lines(batch(lines({with(example, {{"model", "reference-single"}})})).out);
+  ASSERT_EQ(answers.size(), 1u);
+  EXPECT_NE(answers[0].value("error", "").find("AIRLIGHT_WITH_REFERENCE"), std::string::npos) << answers[0];
+}
+#endif
 
 TEST(Batch, nothing_in_nothing_out) {
   const Outcome outcome = batch("\n  \n");
