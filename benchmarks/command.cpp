@@ -22,8 +22,9 @@ namespace fs = std::filesystem;
 
 /// Processor time [s], user and system, of `airlight sky` from its start to its end.
 double run_sky(const std::string& size, const std::string& output) {
-  std::vector<std::string> words{AIRLIGHT_PROGRAM, "sky", "--planet", "earth", "--model", "skyview", "--sun-elevation", "25", "--sun-azimuth", "10",
-                                 "--size", size, "-o", output};
+  std::vector<std::string> words{
+      AIRLIGHT_PROGRAM, "sky", "--planet", "earth", "--model", "skyview", "--sun-elevation", "25",
+      "--sun-azimuth",  "10",  "--size",   size,    "-o",      output};
   std::vector<char*> arguments;
   for (std::string& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
@@ -47,7 +48,8 @@ std::vector<float> read_rgb(const std::string& path) {
   if (!file) throw WorkError(path + ": " + OIIO::geterror());
   const OIIO::ImageSpec& spec = file->spec();
   std::vector<float> rgb(3 * std::size_t(spec.width) * std::size_t(spec.height));
-  if (spec.format != OIIO::TypeDesc::HALF || spec.get_string_attribute("compression") != "zip") throw WorkError(path + ": not zipped half floats");
+  if (spec.format != OIIO::TypeDesc::HALF || spec.get_string_attribute("compression") != "zip")
+    throw WorkError(path + ": not zipped half floats");
   if (!file->read_image(0, 0, 0, 3, OIIO::TypeDesc::FLOAT, rgb.data())) throw WorkError(path + ": " + file->geterror());
   return rgb;
 }
@@ -56,12 +58,13 @@ std::vector<float> expected_rgb(int width, int height) {
   constexpr double degree = std::numbers::pi / 180;
   const Sky sky(built_in_atmosphere("earth"), "skyview", make_engine("double"));
   std::vector<float> rgb;
-  sky.render({.width = width, .height = height}, direction(10 * degree, 25 * degree), {}, [&](int, int, std::span<const float> rgba) {
-    for (std::size_t i = 0; i < rgba.size(); ++i) {
-      if (i % 4 != 3) rgb.push_back(std::min(rgba[i], 65504.f));  // where half floats end
-    }
-    return true;
-  });
+  sky.render({.width = width, .height = height}, direction(10 * degree, 25 * degree), {},
+             [&](int, int, std::span<const float> rgba) {
+               for (std::size_t i = 0; i < rgba.size(); ++i) {
+                 if (i % 4 != 3) rgb.push_back(std::min(rgba[i], 65504.f));  // where half floats end
+               }
+               return true;
+             });
   return rgb;
 }
 

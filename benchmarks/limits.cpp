@@ -12,15 +12,16 @@ constexpr Shape table_shape{256, 64, 1};  // 256 KB: the size of skyview's table
 
 struct Operation {
   std::string pass, name;
-  int count;           ///< a pixel
+  int count;  ///< a pixel
   bool reads_table;
-  double bound;        ///< float against double, relative; 64 terms are summed, each with an ulp (1.2e-7)
+  double bound;  ///< float against double, relative; 64 terms are summed, each with an ulp (1.2e-7)
   double Limits::*limit;
 };
-const Operation operations[] = {{"bench.exp", "exp", 256, false, 2e-6, &Limits::exp},
-                                {"bench.division", "division", 256, false, 2e-6, &Limits::division},
-                                {"bench.fetch", "texel, fetched alone", 64, true, 2e-6, nullptr},
-                                {"bench.lookup", "texel, in a bilinear lookup", 256, true, 1e-5, &Limits::texel}};  // its coordinates are rounded
+const Operation operations[] = {
+    {"bench.exp", "exp", 256, false, 2e-6, &Limits::exp},
+    {"bench.division", "division", 256, false, 2e-6, &Limits::division},
+    {"bench.fetch", "texel, fetched alone", 64, true, 2e-6, nullptr},
+    {"bench.lookup", "texel, in a bilinear lookup", 256, true, 1e-5, &Limits::texel}};  // its coordinates are rounded
 
 std::vector<double> table_texels() {
   std::vector<double> texels(4 * table_shape.texels());
@@ -53,7 +54,8 @@ MachineLimits measure_limits(Report& report) {
       std::vector<Table> inputs;
       if (operation.reads_table) inputs.push_back(engine->upload(table_shape, texels));
       std::vector<float> rgba(4 * shape.texels());
-      const double time = best_time([&] { engine->draw(bench_pass(operation.pass), {}, inputs, shape, 0, shape.height, rgba); });
+      const double time =
+          best_time([&] { engine->draw(bench_pass(operation.pass), {}, inputs, shape, 0, shape.height, rgba); });
       const double one = 1e9 * time / double(shape.texels()) / operation.count;
       if (operation.limit) limits[set].*operation.limit = one;
       report.add({name, one, "ns"});

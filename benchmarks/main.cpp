@@ -42,13 +42,16 @@ int run(const std::string& json, bool check, const std::vector<std::string>& cho
 }  // namespace airlight::bench
 
 int main(int argc, char** argv) {
-  CLI::App app("Checks each answer, then times it, in processor time. Exit code 1: an answer is wrong, or a required figure is missed.");
+  CLI::App app(
+      "Checks each answer, then times it, in processor time. Exit code 1: an answer is wrong, or a required figure is "
+      "missed.");
   std::string json;
   bool check = false;
   std::vector<std::string> chosen;
   app.add_option("--json", json, "write the table there too")->type_name("FILE");
   app.add_flag("--check", check, "only check the answers, at reduced size; nothing is timed");
-  app.add_option("benchmark", chosen, "march, tables, pictures, rays, command (default all); the machine's limits are always measured")
+  app.add_option("benchmark", chosen,
+                 "march, tables, pictures, rays, command (default all); the machine's limits are always measured")
       ->check(CLI::IsMember(airlight::bench::benchmarks));
   CLI11_PARSE(app, argc, argv);
   try {

@@ -14,8 +14,8 @@ constexpr double exps = 16 * (2 + 4 * 2 + 4);
 // Hillaire's Earth (2020) at four wavelengths, the Sun 20 degrees up; in the order of struct March.
 std::vector<double> air() {
   const double up = 20 * std::numbers::pi / 180;
-  return {5.802e-6, 9.6e-6, 13.558e-6, 33.1e-6, 3.996e-6, 3.996e-6, 3.996e-6, 3.996e-6, 0, std::cos(up), std::sin(up), 0,
-          6.36e6, 1e5, 1 / 8000.0, 1 / 1200.0, 1.11, 0.8, 500, 0};
+  return {5.802e-6,     9.6e-6, 13.558e-6, 33.1e-6, 3.996e-6,   3.996e-6,   3.996e-6, 3.996e-6, 0,   std::cos(up),
+          std::sin(up), 0,      6.36e6,    1e5,     1 / 8000.0, 1 / 1200.0, 1.11,     0.8,      500, 0};
 }
 
 // Of 16 and 8 lanes, the rest goes to what is not arithmetic, and to a float's exp, which has a table that lanes cannot share.
@@ -62,7 +62,8 @@ void march(Report& report, const MachineLimits& limits) {
       ratios.push_back(slow / fast);
     }
     report.add({set, std::ranges::min(times), "ns/pixel", {}, {}, limits.at(set).pixel(exps, 0)});
-    if (set != "f32") report.add({"f32 / " + set + ", median of five interleaved pairs", median(ratios), "x", {}, required(set)});
+    if (set != "f32")
+      report.add({"f32 / " + set + ", median of five interleaved pairs", median(ratios), "x", {}, required(set)});
   }
   if (report.timing()) report.add({"double", time(*bench_engine("double")), "ns/pixel"});
 }

@@ -14,7 +14,11 @@ namespace {
 constexpr double degree = std::numbers::pi / 180;
 
 Camera camera_of(int width, int height, double altitude, double elevation) {
-  return {.projection = Projection::perspective, .width = width, .height = height, .altitude = altitude, .elevation = elevation * degree};
+  return {.projection = Projection::perspective,
+          .width = width,
+          .height = height,
+          .altitude = altitude,
+          .elevation = elevation * degree};
 }
 
 /// The n-th place of a Sun that moves by a hundredth of a degree a frame; in the picture of a camera that looks north and up.
@@ -62,7 +66,8 @@ void pictures(Report& report, const MachineLimits& limits) {
     const auto ms = [&](const char* name, const auto& work, std::optional<double> at_most = {}) {
       report.add({name, 1e3 * best_time(work), "CPU-ms", at_most});
     };
-    ms("a frame: tables, disc, picture", [&] { frame(sky, hd, moving_sun(n++)); }, 50);
+    ms(
+        "a frame: tables, disc, picture", [&] { frame(sky, hd, moving_sun(n++)); }, 50);
     ms("  sky-view table, and all else at 16x9 pixels", [&] { frame(sky, tiny, moving_sun(n++)); });
     ms("  all else at 16x9 pixels", [&] { frame(sky, tiny, moving_sun(0)); });
     ms("  picture from kept tables", [&] { frame(sky, hd, moving_sun(0)); });
@@ -74,7 +79,11 @@ void pictures(Report& report, const MachineLimits& limits) {
   const auto measure = [&](const std::string& name, const Sky& s, const Camera& camera, Work work) {
     if (!report.timing()) return;
     const double pixels = double(camera.width) * camera.height;
-    report.add({name, 1e9 * best_time([&] { frame(s, camera, moving_sun(0), false); }) / pixels, "ns/pixel", {}, {},
+    report.add({name,
+                1e9 * best_time([&] { frame(s, camera, moving_sun(0), false); }) / pixels,
+                "ns/pixel",
+                {},
+                {},
                 limits.at(set_of(s.engine())).pixel(work.exps, work.texels)});
   };
   // Two tables, bilinear, and a phase function; no exps.

@@ -16,7 +16,8 @@ struct Work {
 /// passed (four wavelengths each); with multiple scattering four more texels and one more exp.
 inline Work ray_work(const Atmosphere& atmosphere, const Model& model, bool multiple) {
   const BakedAir air = bake(atmosphere, realtime_quad, 0, model.air);
-  const double points = 2 * air.zones.shape.width * air.numbers.at("substeps")[0], classes = air.numbers.at("classes")[0];
+  const double points = 2 * air.zones.shape.width * air.numbers.at("substeps")[0],
+               classes = air.numbers.at("classes")[0];
   return {points * (multiple ? 12 : 8), points * (2 + 2 * classes + 4 + (multiple ? 4 : 0))};
 }
 

@@ -16,7 +16,9 @@ namespace {
 std::vector<Ray> random_rays(std::size_t count) {
   std::mt19937_64 random(1);
   const auto between = [&](double low, double high) { return low + (high - low) * double(random() >> 11) * 0x1p-53; };
-  const auto anywhere = [&](double lowest) { return direction(between(0, 2 * std::numbers::pi), std::asin(between(lowest, 1))); };
+  const auto anywhere = [&](double lowest) {
+    return direction(between(0, 2 * std::numbers::pi), std::asin(between(lowest, 1)));
+  };
   std::vector<Ray> rays;
   for (std::size_t i = 0; i < count; ++i) rays.push_back({between(0, 1e4), anywhere(-1), anywhere(-0.1)});
   return rays;
@@ -50,7 +52,11 @@ void rays(Report& report, const MachineLimits& limits) {
         for (Ray& ray : asked) ray.altitude += 1;  // the engine keeps the answers to the same rays
         answer(sky, asked);
       });
-      report.add({std::string(model) + name, 1e9 * time / double(asked.size()), "ns/ray", {}, {},
+      report.add({std::string(model) + name,
+                  1e9 * time / double(asked.size()),
+                  "ns/ray",
+                  {},
+                  {},
                   limits.at(set_of(*engine)).pixel(work.exps, work.texels)});
     };
     measure(", batch of 65536", random);

@@ -29,7 +29,9 @@ void Report::add(const Measured& m) {
     line += fmt::format("  required: {} {:g}{}", words, figure, met ? "" : "  MISSED");
     entry["required"] = fmt::format("{} {:g}", words, figure);
     entry["met"] = met;
-    if (!met) missed_.push_back(fmt::format("{}, {}: {:.4g} {}, required {} {:g}", section_, m.name, m.value, m.unit, words, figure));
+    if (!met)
+      missed_.push_back(
+          fmt::format("{}, {}: {:.4g} {}, required {} {:g}", section_, m.name, m.value, m.unit, words, figure));
   };
   if (m.at_most) require("at most", *m.at_most, m.value <= *m.at_most);
   if (m.at_least) require("at least", *m.at_least, m.value >= *m.at_least);
@@ -42,8 +44,10 @@ void Report::check(const std::string& what, double difference, double bound) {
   const bool good = difference <= bound;  // false for NaN
   fmt::print("  {:<56}{:>10.1e} {:<9} bound: {:.0e}{}\n", what, difference, "differs", bound, good ? "" : "  WRONG");
   std::fflush(stdout);
-  json_["checked"].push_back({{"section", section_}, {"name", what}, {"difference", difference}, {"bound", bound}, {"good", good}});
-  if (!good) wrong_.push_back(fmt::format("{}, {}: differs by {:.2e}, bound {:.0e}", section_, what, difference, bound));
+  json_["checked"].push_back(
+      {{"section", section_}, {"name", what}, {"difference", difference}, {"bound", bound}, {"good", good}});
+  if (!good)
+    wrong_.push_back(fmt::format("{}, {}: differs by {:.2e}, bound {:.0e}", section_, what, difference, bound));
 }
 
 void Report::skip(const std::string& what, const std::string& why) {
@@ -55,7 +59,8 @@ int Report::verdict() const {
   fmt::print("\n");
   for (const std::string& w : wrong_) fmt::print("wrong answer: {}\n", w);
   for (const std::string& m : missed_) fmt::print("missed: {}\n", m);
-  if (wrong_.empty() && missed_.empty()) fmt::print("{}\n", timing_ ? "all answers right, all required figures met" : "all answers right");
+  if (wrong_.empty() && missed_.empty())
+    fmt::print("{}\n", timing_ ? "all answers right, all required figures met" : "all answers right");
   return wrong_.empty() && missed_.empty() ? 0 : 1;
 }
 

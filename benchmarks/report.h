@@ -14,7 +14,8 @@ struct Measured {
   std::string unit;                  ///< "ns/pixel", "CPU-ms", "x"
   std::optional<double> at_most{};   ///< required, in the same unit
   std::optional<double> at_least{};  ///< required
-  std::optional<double> limit{};     ///< what its exps and texels alone would take at the machine's measured rates, in the same unit
+  std::optional<double>
+      limit{};  ///< what its exps and texels alone would take at the machine's measured rates, in the same unit
 };
 
 class Report {

@@ -19,8 +19,8 @@ std::vector<TablePass> air_tables(const Model& model) {
 }
 
 struct Build {
-  std::vector<double> seconds;               ///< a table
-  std::vector<std::vector<double>> texels;   ///< of each table's first output
+  std::vector<double> seconds;              ///< a table
+  std::vector<std::vector<double>> texels;  ///< of each table's first output
 };
 
 Build build(Engine& engine, const Model& model, const BakedAir& air, bool read) {
@@ -49,10 +49,12 @@ void tables(Report& report) {
   const Model& model = find_model("skyview");
   const BakedAir air = bake(earth, realtime_quad, 0, model.air);
   const auto passes = air_tables(model);
-  const Build got = build(*make_engine("simd"), model, air, true), truth = build(*make_engine("double"), model, air, true);
+  const Build got = build(*make_engine("simd"), model, air, true),
+              truth = build(*make_engine("double"), model, air, true);
   for (std::size_t i = 0; i < passes.size(); ++i) {
     // -ln of light, up to 69: compared relative to 1, that is as light itself.
-    report.check(std::string(passes[i].pass) + ", 99 % of texels against double", difference(got.texels[i], truth.texels[i], 0.99, 1), 5e-5);
+    report.check(std::string(passes[i].pass) + ", 99 % of texels against double",
+                 difference(got.texels[i], truth.texels[i], 0.99, 1), 5e-5);
   }
   if (!report.timing()) return;
 
@@ -67,9 +69,12 @@ void tables(Report& report) {
   report.add({"all tables, with the engine and its uploads", 1e3 * whole, "CPU-ms", 60});
   for (std::size_t i = 0; i < best.size(); ++i) {
     const Shape shape = passes[i].shape;
-    report.add({"  " + std::string(passes[i].pass) + " " + std::to_string(shape.width) + "x" + std::to_string(shape.height), 1e3 * best[i], "CPU-ms"});
+    report.add(
+        {"  " + std::string(passes[i].pass) + " " + std::to_string(shape.width) + "x" + std::to_string(shape.height),
+         1e3 * best[i], "CPU-ms"});
   }
-  report.add({"  before: air baked into profiles", 1e3 * best_time([&] { bake(earth, realtime_quad, 0, model.air); }), "CPU-ms"});
+  report.add({"  before: air baked into profiles", 1e3 * best_time([&] { bake(earth, realtime_quad, 0, model.air); }),
+              "CPU-ms"});
 }
 
 }  // namespace airlight::bench

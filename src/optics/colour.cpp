@@ -26,7 +26,9 @@ const Observer& observer() {
     std::string line;
     std::getline(csv, line);  // names
     std::vector<std::array<double, 4>> rows;
-    for (std::array<double, 4> r; std::getline(csv, line) && std::sscanf(line.c_str(), "%lf,%lf,%lf,%lf", &r[0], &r[1], &r[2], &r[3]) == 4;) rows.push_back(r);
+    for (std::array<double, 4> r;
+         std::getline(csv, line) && std::sscanf(line.c_str(), "%lf,%lf,%lf,%lf", &r[0], &r[1], &r[2], &r[3]) == 4;)
+      rows.push_back(r);
     Observer o;
     for (std::size_t i = 0; i + 1 < rows.size(); ++i) {
       const auto &a = rows[i], &b = rows[i + 1];
@@ -58,8 +60,10 @@ std::vector<Xyz> hat_weights(std::span<const double> wavelengths, const Shape& s
       const double there = shape(wavelengths[k]);
       if (there > 0) add(weights[k], eye.curves[i], luminous_efficacy * trapezoid * part * shape(w) / there);
     };
-    if (upper == wavelengths.begin()) share(0, 1);
-    else if (upper == wavelengths.end()) share(wavelengths.size() - 1, 1);
+    if (upper == wavelengths.begin())
+      share(0, 1);
+    else if (upper == wavelengths.end())
+      share(wavelengths.size() - 1, 1);
     else {
       const auto k = std::size_t(upper - wavelengths.begin());
       const double t = (w - wavelengths[k - 1]) / (wavelengths[k] - wavelengths[k - 1]);
@@ -111,8 +115,10 @@ std::vector<std::vector<double>> family(const Atmosphere& atmosphere) {
       total += s[i];
       depth[i] += s[i] * column + a[i];
     }
-    if (total > 0) scattering.push_back(std::move(s));
-    else for (std::size_t i = 0; i < n; ++i) absorbed[i] += a[i];  // a layer of its own, as ozone
+    if (total > 0)
+      scattering.push_back(std::move(s));
+    else
+      for (std::size_t i = 0; i < n; ++i) absorbed[i] += a[i];  // a layer of its own, as ozone
   }
   scattering.push_back(albedo);
   scattering.emplace_back(n, 1.0);  // the sun itself
@@ -161,7 +167,8 @@ std::vector<Xyz> fitted_weights(const Atmosphere& atmosphere, std::span<const do
   double trace = 0;
   for (std::size_t i = 0; i < 4; ++i) trace += normal[i][i];
   if (!(trace > 0)) return hat_weights(wavelengths, [](double) { return 1.0; });
-  for (std::size_t i = 0; i < 4; ++i) normal[i][i] += 1e-9 * trace;  // spectra of a gray planet do not tell the four apart
+  for (std::size_t i = 0; i < 4; ++i)
+    normal[i][i] += 1e-9 * trace;  // spectra of a gray planet do not tell the four apart
   std::vector<Xyz> weights(4);
   for (std::size_t c = 0; c < 3; ++c) {
     const auto column = solve(normal, right[c]);
@@ -178,7 +185,8 @@ std::vector<Xyz> colour_weights(const Atmosphere& atmosphere, std::span<const do
 }
 
 std::array<double, 3> xyz_to_srgb(const Xyz& v) {
-  return {3.2404542 * v[0] - 1.5371385 * v[1] - 0.4985314 * v[2], -0.9692660 * v[0] + 1.8760108 * v[1] + 0.0415560 * v[2],
+  return {3.2404542 * v[0] - 1.5371385 * v[1] - 0.4985314 * v[2],
+          -0.9692660 * v[0] + 1.8760108 * v[1] + 0.0415560 * v[2],
           0.0556434 * v[0] - 0.2040259 * v[1] + 1.0572252 * v[2]};
 }
 

@@ -21,7 +21,8 @@ struct Evaluate {
   double operator()(const HenyeyGreensteinPhase& p) const { return optics::phase_henyey_greenstein(p.g, x).v; }
   double operator()(const CornetteShanksPhase& p) const { return optics::phase_cornette_shanks(p.g, x).v; }
   double operator()(const DoubleHenyeyGreensteinPhase& p) const {
-    return p.weight * optics::phase_henyey_greenstein(p.g1, x).v + (1 - p.weight) * optics::phase_henyey_greenstein(p.g2, x).v;
+    return p.weight * optics::phase_henyey_greenstein(p.g1, x).v +
+           (1 - p.weight) * optics::phase_henyey_greenstein(p.g2, x).v;
   }
   double operator()(const TablePhase& p) const {
     const double angle = 2 * std::asin(std::sqrt(std::clamp(x / 2, 0.0, 1.0)));
