@@ -47,8 +47,10 @@ class Land {
   /// Altitude of the ground [m] at distances east and north of the origin along the sphere [m].
   /// @param cell  smooths what is smaller than this [m]; 0: all there is
   double altitude(double east, double north, double cell = 0) const;
-  /// The smallest cell [m] that shows anything new there.
-  double finest_cell(double east, double north) const;
+  /// The smallest cell [m] that shows anything new in a square around a place; infinite on the plain.
+  double finest_cell(double east, double north, double half_width) const;
+  /// No ground lies higher [m].
+  double highest() const;
   /// Altitude of the land beyond everything [m]: a sphere around the planet's centre.
   double plain_altitude() const;
   /// Half the side of the square that is not plain [m]; at most one radius.

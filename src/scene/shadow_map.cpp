@@ -1,0 +1,138 @@
+#include "scene/shadow_map.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "airlight/error.h"
+
+namespace airlight {
+namespace {
+
+/// Parallel rays keep their distance from each other: with `offset` measured upward across the sun's direction, in the vertical plane
+/// that holds it, a point is in shadow if ground farther towards the sun has a greater offset. So shadow is the greatest
+/// offset met on a walk from the sun's side, exact on a curved planet too.
+struct SunPlane {
+  double sine, cosine;  ///< of the direction's angle above the plane up = 0
+
+  explicit SunPlane(double elevation) {
+    // Straight below a sun in the zenith only the ground itself is dark; the cosine may not vanish.
+    const double e = std::clamp(elevation, -1.57, 1.57);
+    sine = std::sin(e), cosine = std::cos(e);
+  }
+  double offset(double u, double z) const { return z * cosine - u * sine; }
+  /// Up coordinate [m] at u of the ray that has an offset.
+  double height(double u, double offset) const { return (offset + u * sine) / cosine; }
+  /// Greatest offset of a sphere's cut, a circle around (0, -centre), from u on.
+  double of_planet(double u, double circle, double centre) const {
+    const double highest_at = -circle * sine;
+    if (u <= highest_at) return circle - centre * cosine;
+    if (u >= circle) return -std::numeric_limits<double>::infinity();
+    return offset(u, std::sqrt(circle * circle - u * u) - centre);
+  }
+};
+
+/// Walks along the scene's straight axes over the land.
+class Walk {
+ public:
+  Walk(const Land& land, const ShadowMap& map, double across) : land_(land), map_(map), v_(across) {}
+
+  /// Up coordinate [m] of the ground.
+  double ground(double u, double cell) {
+    const double x = u * map_.along[0] + v_ * map_.across[0], y = u * map_.along[1] + v_ * map_.across[1];
+    const double radius = land_.frame().radius(), distance2 = x * x + y * y;
+    // The place on the sphere depends a little on the height sought; the last step's is near enough.
+    const double r = radius + altitude_, q2 = distance2 / (r * r);
+    const double stretch = q2 < 0.01 ? 1 + q2 / 6 * (1 + q2 * 9 / 20 * (1 + q2 * 25 / 42))
+                                     : std::asin(std::sqrt(std::min(q2, 1.0))) / std::sqrt(q2);
+    altitude_ = land_.altitude(x * stretch * radius / r, y * stretch * radius / r, cell);
+    const double rise = radius + altitude_, inside = rise * rise - distance2;
+    // sqrt(rise^2 - distance^2) - radius, without cancelling.
+    return altitude_ - distance2 / (rise + std::sqrt(std::max(inside, 0.0)));
+  }
+
+ private:
+  const Land& land_;
+  const ShadowMap& map_;
+  double v_, altitude_ = 0;
+};
+
+}  // namespace
+
+double disc_fraction(double height) {
+  const double h = std::clamp(height, -1.0, 1.0);
+  return (std::acos(h) - h * std::sqrt(1 - h * h)) / std::numbers::pi;
+}
+
+ShadowMap shadow_map(const Land& land, const Direction& sun, double angular_radius, const ShadowGrid& grid) {
+  if (grid.cells < 2 || !(grid.half_width > 0))
+    throw InputError("a shadow map needs at least 2 x 2 cells of some width");
+  ShadowMap map;
+  const double flat = std::hypot(sun[0], sun[1]);
+  map.along = flat > 1e-9 ? std::array{sun[0] / flat, sun[1] / flat} : std::array{0.0, 1.0};
+  map.across = {-map.along[1], map.along[0]};
+  map.cells = grid.cells;
+  map.spacing = 2 * grid.half_width / grid.cells;
+  const double inner = grid.half_width - 0.5 * map.spacing;
+  map.first_along = grid.east * map.along[0] + grid.north * map.along[1] - inner;
+  map.first_across = grid.east * map.across[0] + grid.north * map.across[1] - inner;
+  const auto count = std::size_t(grid.cells);
+  map.dark.resize(count * count);
+  map.lit.resize(count * count);
+
+  const double elevation = std::atan2(sun[2], flat), centre = land.frame().radius();
+  const SunPlane upper(elevation + angular_radius), lower(elevation - angular_radius);
+  // Ground beyond the map throws shadows into it from as far as a ray climbs above all summits, the planet's curve included.
+  const double relief = land.highest() - std::min(land.plain_altitude(), 0.0) + 1000, slope = lower.sine / lower.cosine;
+  const double edge = map.first_along + 2 * inner;
+  const double reach = centre * (-slope + std::sqrt(slope * slope + 2 * relief / centre));
+  const double farthest = std::max(edge, std::min(edge + reach, std::sqrt(2.0) * land.extent()));
+
+  tbb::parallel_for(0, grid.cells, [&](int row) {
+    const double v = map.first_across + row * map.spacing;
+    const double sphere = centre + land.plain_altitude();
+    const double circle = std::sqrt(std::max(sphere * sphere - v * v, 0.0));
+    double dark = upper.of_planet(farthest, circle, centre), lit = lower.of_planet(farthest, circle, centre);
+    Walk walk(land, map, v);
+    const auto meet = [&](double u, double cell) {
+      const double z = walk.ground(u, cell);
+      dark = std::max(dark, upper.offset(u, z));
+      lit = std::max(lit, lower.offset(u, z));
+    };
+    // A ridge's shadow is as soft as its distance times the sun's width: far ground may be coarse.
+    for (double u = farthest; u > edge;) {
+      const double step = std::max(map.spacing, 0.01 * (u - edge));
+      meet(u, 0.5 * step);
+      u -= step;
+    }
+    for (int i = grid.cells - 1; i >= 0; --i) {
+      const double u = map.first_along + i * map.spacing;
+      meet(u, 0.5 * map.spacing);
+      const double x = u * map.along[0] + v * map.across[0], y = u * map.along[1] + v * map.across[1];
+      const auto k = std::size_t(row) * count + std::size_t(i);
+      map.dark[k] = float(land.frame().altitude({x, y, upper.height(u, dark)}));
+      map.lit[k] = float(land.frame().altitude({x, y, lower.height(u, lit)}));
+    }
+  });
+  return map;
+}
+
+double ShadowMap::visibility(const Position& p, double altitude) const {
+  const auto t = texel(p);
+  const double x = std::clamp(t[0], 0.0, cells - 1.0), y = std::clamp(t[1], 0.0, cells - 1.0);
+  const int i = std::min(int(x), cells - 2), j = std::min(int(y), cells - 2);
+  const double fx = x - i, fy = y - j;
+  const std::size_t k = std::size_t(j) * std::size_t(cells) + std::size_t(i), below = k + std::size_t(cells);
+  const auto mix = [&](const std::vector<float>& f) {
+    return (f[k] * (1 - fx) + f[k + 1] * fx) * (1 - fy) + (f[below] * (1 - fx) + f[below + 1] * fx) * fy;
+  };
+  const double low = mix(dark), high = mix(lit);
+  if (altitude >= high) return 1;
+  if (altitude <= low) return 0;
+  return disc_fraction(1 - 2 * (altitude - low) / (high - low));
+}
+
+}  // namespace airlight

@@ -1,0 +1,317 @@
+#include "scene/terrain.h"
+
+#include <embree3/rtcore.h>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <string>
+
+#include "airlight/error.h"
+#include "scene/shadow_map.h"
+#include "scene/tile_mesh.h"
+
+namespace airlight {
+namespace {
+
+constexpr int packet = 16;
+
+double dot(const Position& a, const Direction& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+Position along(const Position& p, const Direction& d, double t) {
+  return {p[0] + t * d[0], p[1] + t * d[1], p[2] + t * d[2]};
+}
+
+/// Embree's objects, and the bytes that they take.
+class RayTree {
+ public:
+  RayTree(TileMesh& mesh, std::size_t tiles) {
+    device_ = rtcNewDevice(nullptr);
+    if (!device_) throw WorkError("Embree does not start: error " + std::to_string(int(rtcGetDeviceError(nullptr))));
+    rtcSetDeviceMemoryMonitorFunction(
+        device_,
+        [](void* self, ssize_t bytes, bool) {
+          static_cast<RayTree*>(self)->bytes_ += bytes;
+          return true;
+        },
+        this);
+    scene_ = rtcNewScene(device_);
+    // Robust: rays through an edge of two triangles hit one of them. Compact: half the memory at a tenth of the time.
+    rtcSetSceneFlags(scene_, RTCSceneFlags(RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_COMPACT));
+    rtcSetSceneBuildQuality(scene_, RTC_BUILD_QUALITY_MEDIUM);
+    const RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_GRID);
+    rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, mesh.vertices().data(), 0,
+                               sizeof mesh.vertices()[0], mesh.vertices().size() - 1);
+    auto* grids = static_cast<RTCGrid*>(
+        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_GRID, 0, RTC_FORMAT_GRID, sizeof(RTCGrid), tiles));
+    constexpr unsigned side = TileMesh::grid_side;
+    for (std::size_t i = 0; i < tiles; ++i) grids[i] = {unsigned(i) * side * side, side, side, side};
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometry(scene_, geometry);
+    rtcReleaseGeometry(geometry);
+    rtcCommitScene(scene_);
+    const RTCError error = rtcGetDeviceError(device_);
+    if (error != RTC_ERROR_NONE)
+      throw WorkError("Embree cannot build the terrain: error " + std::to_string(int(error)));
+  }
+  ~RayTree() {
+    rtcReleaseScene(scene_);
+    rtcReleaseDevice(device_);
+  }
+  RayTree(const RayTree&) = delete;
+  RayTree& operator=(const RayTree&) = delete;
+
+  RTCScene scene() const { return scene_; }
+  std::size_t bytes() const { return std::size_t(bytes_.load()); }
+
+ private:
+  RTCDevice device_;
+  RTCScene scene_ = nullptr;
+  std::atomic<ssize_t> bytes_ = 0;
+};
+
+}  // namespace
+
+struct Terrain::Impl {
+  std::shared_ptr<const Land> land;
+  TileTree tree;
+  Position centre;
+  TileMesh mesh;
+  RayTree rays;
+  double plain, highest;
+
+  Impl(std::shared_ptr<const Land> l, const LevelOfDetail& detail)
+      : land(std::move(l)),
+        tree(*land, detail),
+        centre(below(detail.eye)),
+        mesh(*land, tree, centre),
+        rays(mesh, tree.leaves().size()),
+        plain(land->plain_altitude()),
+        highest(land->highest()) {}
+
+  /// The ground under the eye, or the nearest that has triangles.
+  Position below(const Position& eye) const {
+    const GroundPoint g = land->frame().ground(eye);
+    const double half = tree.half_side();
+    return land->frame().position({std::clamp(g.east, -half, half), std::clamp(g.north, -half, half), 0});
+  }
+
+  bool has_triangles(const GroundPoint& g) const {
+    return std::max(std::abs(g.east), std::abs(g.north)) < tree.half_side();
+  }
+
+  /// Distance [m] at which a ray first comes down through the sphere of an altitude; negative: it is below at its origin or
+  /// never meets it.
+  double enters(const SceneRay& ray, double sphere) const {
+    const LocalFrame& frame = land->frame();
+    const double radius = frame.radius() + sphere, above = frame.altitude(ray.origin) - sphere;
+    const Position from_centre{ray.origin[0], ray.origin[1], ray.origin[2] + frame.radius()};
+    const double b = dot(from_centre, ray.direction);
+    const double c = above * (above + 2 * radius);  // |from_centre|^2 - radius^2 without its cancellation
+    const double discriminant = b * b - c;
+    if (c <= 0 || b >= 0 || discriminant < 0) return -1;
+    return c / (-b + std::sqrt(discriminant));
+  }
+
+  /// Where rays start in Embree's floats: those from space begin where they come down to the highest summit.
+  double start(const SceneRay& ray) const { return std::max(0.0, enters(ray, highest + 1)); }
+
+  void finish(const SceneRay& ray, double distance, const float* normal, unsigned grid, TerrainHit& hit) const {
+    const LocalFrame& frame = land->frame();
+    const double sphere = enters(ray, plain);
+    hit = {};
+    if (sphere >= 0 && sphere < distance) {
+      // The plain is there only where triangles are not.
+      const GroundPoint g = frame.ground(along(ray.origin, ray.direction, sphere));
+      if (std::isinf(distance) || !has_triangles(g)) {
+        hit.distance = sphere;
+        hit.position = along(ray.origin, ray.direction, sphere);
+        hit.ground = {g.east, g.north, plain};
+        const Direction up = frame.up(hit.position);
+        for (std::size_t k = 0; k < 3; ++k) hit.normal[k] = hit.shading_normal[k] = float(up[k]);
+        return;
+      }
+    }
+    if (std::isinf(distance)) return;
+    hit.mesh = true;
+    hit.distance = distance;
+    hit.position = along(ray.origin, ray.direction, distance);
+    hit.ground = frame.ground(hit.position);
+    const Direction up = frame.up(hit.position);
+    const double length = std::sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]);
+    const double outward = (normal[0] * up[0] + normal[1] * up[1] + normal[2] * up[2] < 0 ? -1 : 1) / length;
+    for (std::size_t k = 0; k < 3; ++k) hit.normal[k] = float(normal[k] * outward);
+    const Tile& tile = tree.leaves()[grid];
+    const double cell = tree.cell(tile.level);
+    hit.shading_normal = mesh.normal(grid, (hit.ground.east - tree.metres(tile.x)) / cell,
+                                     (hit.ground.north - tree.metres(tile.y)) / cell);
+    const double level = hit.shading_normal[0] * up[0] + hit.shading_normal[1] * up[1] + hit.shading_normal[2] * up[2];
+    hit.slope = float(std::acos(std::clamp(level, -1.0, 1.0)));
+  }
+
+  void hits(std::span<const SceneRay> asked, std::span<TerrainHit> answers) const {
+    alignas(64) RTCRayHit16 p;
+    alignas(64) int valid[packet];
+    double begin[packet];
+    const int count = int(asked.size());
+    for (int i = 0; i < packet; ++i) {
+      const auto k = std::size_t(std::min(i, count - 1));
+      valid[i] = i < count ? -1 : 0;
+      begin[i] = start(asked[k]);
+      const Position o = along(asked[k].origin, asked[k].direction, begin[i]);
+      p.ray.org_x[i] = float(o[0] - centre[0]), p.ray.org_y[i] = float(o[1] - centre[1]),
+      p.ray.org_z[i] = float(o[2] - centre[2]);
+      p.ray.dir_x[i] = float(asked[k].direction[0]);
+      p.ray.dir_y[i] = float(asked[k].direction[1]);
+      p.ray.dir_z[i] = float(asked[k].direction[2]);
+      p.ray.tnear[i] = 0, p.ray.tfar[i] = std::numeric_limits<float>::infinity();
+      p.ray.time[i] = 0, p.ray.mask[i] = ~0u, p.ray.flags[i] = 0, p.ray.id[i] = unsigned(i);
+      p.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
+    }
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+    rtcIntersect16(valid, rays.scene(), &context, &p);
+    for (int i = 0; i < count; ++i) {
+      const bool met = p.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID;
+      const float normal[3] = {p.hit.Ng_x[i], p.hit.Ng_y[i], p.hit.Ng_z[i]};
+      const double distance = met ? begin[i] + double(p.ray.tfar[i]) : std::numeric_limits<double>::infinity();
+      finish(asked[std::size_t(i)], distance, normal, p.hit.primID[i], answers[std::size_t(i)]);
+    }
+  }
+
+  /// Clears `valid` of those points whose ray towards a direction is blocked.
+  void shadow(std::span<const SunQuestion> points, const Direction (&towards)[packet], int (&valid)[packet]) const {
+    alignas(64) RTCRay16 p;
+    alignas(64) int active[packet];
+    for (int i = 0; i < packet; ++i) {
+      active[i] = valid[i];
+      const SunQuestion& point = points[std::size_t(std::min(i, int(points.size()) - 1))];
+      const double o[3] = {point.position[0] - centre[0], point.position[1] - centre[1], point.position[2] - centre[2]};
+      // Off the surface by what floats do not tell apart there.
+      const double lift = 1e-3 + 1e-6 * std::sqrt(o[0] * o[0] + o[1] * o[1] + o[2] * o[2]);
+      p.org_x[i] = float(o[0] + lift * point.normal[0]);
+      p.org_y[i] = float(o[1] + lift * point.normal[1]);
+      p.org_z[i] = float(o[2] + lift * point.normal[2]);
+      p.dir_x[i] = float(towards[i][0]), p.dir_y[i] = float(towards[i][1]), p.dir_z[i] = float(towards[i][2]);
+      p.tnear[i] = float(lift), p.tfar[i] = std::numeric_limits<float>::infinity();
+      p.time[i] = 0, p.mask[i] = ~0u, p.flags[i] = 0, p.id[i] = unsigned(i);
+      // A face turned away needs no ray.
+      const double facing =
+          point.normal[0] * towards[i][0] + point.normal[1] * towards[i][1] + point.normal[2] * towards[i][2];
+      if (facing <= 0) valid[i] = active[i] = 0;
+      // The plain blocks what goes below its horizon.
+      if (active[i] && enters({point.position, towards[i]}, plain) > 0) {
+        const double t = enters({point.position, towards[i]}, plain);
+        if (!has_triangles(land->frame().ground(along(point.position, towards[i], t)))) valid[i] = active[i] = 0;
+      }
+    }
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+    rtcOccluded16(active, rays.scene(), &context, &p);
+    for (int i = 0; i < packet; ++i) {
+      if (p.tfar[i] < 0) valid[i] = 0;
+    }
+  }
+
+  void sun_visibility(std::span<const SunQuestion> points, const Direction& sun, double radius,
+                      std::span<float> fraction) const {
+    const int count = int(points.size());
+    Direction up[packet];
+    for (int i = 0; i < packet; ++i) {
+      const SunQuestion& point = points[std::size_t(std::min(i, count - 1))];
+      // Across the disc from bottom to top: the local vertical without its part along the sun.
+      const Direction vertical = land->frame().up(point.position);
+      const double part = dot(vertical, sun);
+      up[i] = along(vertical, sun, -part);
+      const double length = std::sqrt(dot(up[i], up[i]));
+      if (length < 1e-6)
+        up[i] = {0, 0, 0};
+      else
+        for (double& x : up[i]) x /= length;
+    }
+    const auto sees = [&](const double(&height)[packet], const int(&asked)[packet], int(&free)[packet]) {
+      Direction towards[packet];
+      for (int i = 0; i < packet; ++i) {
+        towards[i] = along(sun, up[i], std::tan(height[i] * radius));
+        const double length = std::sqrt(dot(towards[i], towards[i]));
+        for (double& x : towards[i]) x /= length;
+        free[i] = asked[i];
+      }
+      shadow(points, towards, free);
+    };
+    double low[packet], high[packet], middle[packet];
+    int all[packet], bottom[packet], top[packet];
+    for (int i = 0; i < packet; ++i) all[i] = i < count ? -1 : 0, low[i] = -1, high[i] = 1, middle[i] = 0;
+    if (radius == 0) {
+      sees(middle, all, top);
+      for (int i = 0; i < count; ++i) fraction[std::size_t(i)] = top[i] ? 1.0f : 0.0f;
+      return;
+    }
+    sees(low, all, bottom);
+    for (int i = 0; i < packet; ++i)
+      all[i] = all[i] && !bottom[i] ? -1 : 0;  // whose lower limb is free sees all of the sun
+    sees(high, all, top);
+    bool partial = false;
+    for (int i = 0; i < packet; ++i) {
+      all[i] = all[i] && top[i] ? -1 : 0;
+      partial = partial || all[i];
+    }
+    // Six halvings: the horizon's height to 1/64 of the disc.
+    for (int step = 0; step < 6 && partial; ++step) {
+      int free[packet];
+      for (int i = 0; i < packet; ++i) middle[i] = 0.5 * (low[i] + high[i]);
+      sees(middle, all, free);
+      for (int i = 0; i < packet; ++i) (free[i] ? high[i] : low[i]) = middle[i];
+    }
+    for (int i = 0; i < count; ++i) {
+      const double height = all[i] ? 0.5 * (low[i] + high[i]) : bottom[i] ? -1 : 1;
+      fraction[std::size_t(i)] = float(disc_fraction(height));
+    }
+  }
+};
+
+Terrain::Terrain(std::shared_ptr<const Land> land, const LevelOfDetail& detail)
+    : impl_(std::make_unique<Impl>(std::move(land), detail)) {}
+Terrain::~Terrain() = default;
+Terrain::Terrain(Terrain&&) noexcept = default;
+Terrain& Terrain::operator=(Terrain&&) noexcept = default;
+
+const Land& Terrain::land() const { return *impl_->land; }
+
+Terrain::Statistics Terrain::statistics() const {
+  constexpr std::size_t per_tile = TileTree::tile_cells * TileTree::tile_cells;
+  return {impl_->tree.leaves().size() * per_tile, impl_->mesh.bytes() + impl_->rays.bytes(), impl_->tree.pixels()};
+}
+
+namespace {
+
+/// Calls work(begin, count) for packets of neighbours, on all cores.
+template <typename Work>
+void in_packets(std::size_t count, const Work& work) {
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, (count + packet - 1) / packet, 32), [&](const auto& range) {
+    for (std::size_t k = range.begin(); k != range.end(); ++k) {
+      const std::size_t begin = k * packet;
+      work(begin, std::min<std::size_t>(packet, count - begin));
+    }
+  });
+}
+
+}  // namespace
+
+void Terrain::hits(std::span<const SceneRay> rays, std::span<TerrainHit> hits) const {
+  in_packets(rays.size(), [&](std::size_t begin, std::size_t count) {
+    impl_->hits(rays.subspan(begin, count), hits.subspan(begin, count));
+  });
+}
+
+void Terrain::sun_visibility(std::span<const SunQuestion> points, Direction sun, double angular_radius,
+                             std::span<float> fraction) const {
+  in_packets(points.size(), [&](std::size_t begin, std::size_t count) {
+    impl_->sun_visibility(points.subspan(begin, count), sun, angular_radius, fraction.subspan(begin, count));
+  });
+}
+
+}  // namespace airlight

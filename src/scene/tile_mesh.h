@@ -1,0 +1,38 @@
+// Vertices and normals of all tiles, without cracks between tiles of different finesse.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "scene/tile_tree.h"
+
+namespace airlight {
+
+/// A unit vector in 32 bits: the octahedron's map of the sphere (Cigolla et al. 2014, jcgt.org 3(2)), good to 0.004 degrees.
+std::uint32_t pack_normal(const std::array<double, 3>& n);
+std::array<float, 3> unpack_normal(std::uint32_t packed);
+
+/// Each tile is a grid of grid_side x grid_side vertices: its cells, and one cell more all around that leans out and down
+/// under the neighbours (a flange), so that no ray slips between two tiles whose edges differ by a rounding.
+class TileMesh {
+ public:
+  static constexpr int grid_side = TileTree::tile_cells + 3, normal_side = TileTree::tile_cells + 1;
+
+  /// @param centre  that vertices are relative to: floats are fine near it
+  TileMesh(const Land& land, const TileTree& tree, const Position& centre);
+
+  const std::vector<std::array<float, 3>>& vertices() const {
+    return vertices_;
+  }  ///< grids one after the other, x fastest
+
+  /// Smooth normal in a tile, at coordinates in cells.
+  std::array<float, 3> normal(std::size_t tile, double x, double y) const;
+
+  std::size_t bytes() const { return vertices_.size() * sizeof vertices_[0] + normals_.size() * sizeof normals_[0]; }
+
+ private:
+  std::vector<std::array<float, 3>> vertices_;
+  std::vector<std::uint32_t> normals_;
+};
+
+}  // namespace airlight
