@@ -36,6 +36,22 @@ struct PictureOptions {
   std::vector<double> wavelengths;  ///< [nm]; empty: the four of real time. Else a multiple of four at equal spacing, accumulated to XYZ
 };
 
+/// A point in an observer's view, or the sky behind everything.
+struct Sight {
+  Direction view{0, 0, 1};  ///< unit, observer -> point
+  double distance = std::numeric_limits<double>::infinity();  ///< [m]; infinity: to space or the ground sphere
+  double offset = 0.5;      ///< in [0, 1): where between its points a ray looks for shadows; spread over pixels, it dissolves their steps
+};
+
+/// Shadows that land casts into the air: a map over it, for one direction of the Sun. Outside the map all is lit.
+struct AirShadows {
+  int width = 0, height = 0;
+  std::vector<float> edges;  ///< for each cell, rows of u first: altitude [m] below which the Sun's disc is hidden, and above which it is whole
+  std::array<double, 4> across{}, along{};  ///< map coordinate u (v) of a point p [m], in the observer's frame: across[0..2] . p + across[3]; 0 and 1 at the map's edges
+  double highest = 0;  ///< altitude [m] above which all is lit
+  int steps = 64;      ///< points on a ray, 1 to 1024
+};
+
 /// A model of the sky: its name, one line on what it does.
 struct ModelInfo {
   std::string_view name, summary;
@@ -61,6 +77,15 @@ class Sky {
   /// @param out        N x W, ray slowest. @throws InputError naming the ray and the value; `out` is then untouched.
   void evaluate(Quantity quantity, std::span<const Ray> rays, std::span<const double> wavelengths, std::span<double> out,
                 int max_order = 0) const;
+
+  /// The air before N points of one observer's view, at W wavelengths: what a picture with depth needs. Lit by one Sun; land may shade
+  /// it. Light of higher orders is not shaded: it comes from all sides.
+  /// @param shadows        none: all lit
+  /// @param inscatter      N x W [W m^-2 sr^-1 nm^-1], as path_radiance; where a distance is infinite, as radiance
+  /// @param transmittance  N x W [1]
+  /// @throws InputError naming the point and the value, and where a model cannot shade the air
+  void haze(double altitude, Direction sun, std::span<const Sight> points, std::span<const double> wavelengths, const AirShadows* shadows,
+            std::span<double> inscatter, std::span<double> transmittance) const;
 
   /// Linear-light picture in absolute units: RGBA rows of linear sRGB [cd/m^2], alpha 1.
   /// @param strip  Called with consecutive rows [begin, end) and their pixels, from the calling thread; return false to stop.

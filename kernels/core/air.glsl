@@ -4,7 +4,7 @@
 #include "core/phase.glsl"
 // Air as the host bakes it, for four wavelengths: any list of constituents costs the same.
 //
-// `zones`    one row: the altitudes between which all densities are smooth; x: bottom, y: top, z: 1 / thickness
+// `zones`    one row: the altitudes between which all densities are smooth; x: bottom, y: top, z: 1 / thickness, w: number
 // `profile`  cells of equal height inside each zone, two texels a cell (value at its lower and upper end)
 //            row 0: extinction coefficient [1/m]; row 1 + c: scattering coefficient of phase class c
 // `phases`   row c: phase function of class c over sqrt(one_minus_cos / 2) [1/sr]
@@ -24,12 +24,11 @@ struct Air {
 };
 
 /// Which cell of the profile, and how far into it, an altitude of a zone has [1].
-/// @param zone [m] in 0..1  x: bottom, y: top, z: 1 / thickness
-/// @param index [1] in 0..31
+/// @param zone [m] in 0..1  x: bottom, z: 1 / thickness, w: number
 /// @param altitude [m] in 0..2
 /// @bound 2e-5 scale 1
-FN Float profile_cell(IN(Air) air, Scalar4 zone, int index, Float altitude) {
-  return (Float(index) + clamp((altitude - zone.x) * zone.z, 0.0, 0.999999)) * air.cells;
+FN Float profile_cell(IN(Air) air, Scalar4 zone, Float altitude) {
+  return (zone.w + clamp((altitude - zone.x) * zone.z, 0.0, 0.999999)) * air.cells;
 }
 
 // ---- optical depth to space: table over altitude (v) and direction (u) of rays that miss the ground ----

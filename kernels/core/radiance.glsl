@@ -11,8 +11,8 @@ FN Float ground_light_u(Float mu_s) {
 }
 
 /// Radiance of the ground at the end of a ray, not yet attenuated, per solar irradiance [1/sr].
-FN Vec4 ground_radiance(IN(Air) air, Table2 sunlight, Table2 ground_light, int orders, Float altitude, Float mu_s, Float nu, Float reach) {
-  Float sun_below = ((air.ground_radius + altitude) * mu_s + reach * nu) * (1.0 / air.ground_radius);
+FN Vec4 ground_radiance(IN(Air) air, Table2 sunlight, Table2 ground_light, int orders, Vec4 at, Float reach) {
+  Float sun_below = ((air.ground_radius + at.x) * at.z + reach * at.w) * (1.0 / air.ground_radius);
   Vec4 arriving = sunlight_at(air, sunlight, Float(0.0), sun_below) * max(sun_below, 0.0);
   if (orders > 1) arriving = arriving + exp(-lookup_row(ground_light, ground_light_u(sun_below), 0));
   return arriving * Vec4(air.albedo) * 0.318309886183791;
@@ -22,36 +22,30 @@ FN Vec4 ground_radiance(IN(Air) air, Table2 sunlight, Table2 ground_light, int o
 /// ground where the ray meets it, already attenuated.
 FN_SHARED Vec4 ray_light(IN(Air) air, int orders, Table2 zones, Table2 profile, Table2 phases, Table2 sunlight, Table2 multiple,
                   Table2 ground_light, Float altitude, Vec3 view, Vec3 sun, Float distance, OUT(Vec4) transmittance, OUT(Vec4) ground) {
-  Float start = Float(0.0);
-  Float mu = Float(0.0);
-  Float mu_s = Float(0.0);
-  Float nu = Float(0.0);
   Float reach = Float(0.0);
+  Float whole = Float(0.0);
   Bool hits = reach > 1.0;
-  meet_air(air, altitude, view, sun, distance, start, mu, mu_s, nu, reach, hits);
+  Vec4 at = meet_air(air, altitude, view, sun, distance, reach, whole, hits);
   Vec4 class0 = Vec4(0.0);
   Vec4 class1 = Vec4(0.0);
   Vec4 class2 = Vec4(0.0);
   Vec4 class3 = Vec4(0.0);
   Vec4 diffuse = Vec4(0.0);
   Vec4 depth = Vec4(0.0);
-  gather_light(air, orders, zones, profile, sunlight, multiple, start, mu, mu_s, nu, reach, class0, class1, class2, class3, diffuse, depth);
+  gather_light(air, orders, zones, profile, sunlight, multiple, at, reach, class0, class1, class2, class3, diffuse, depth);
   transmittance = exp(-depth);
   ground = Vec4(0.0);
-  if (any(hits)) ground = select(hits, ground_radiance(air, sunlight, ground_light, orders, start, mu_s, nu, reach) * transmittance, Vec4(0.0));
+  if (any(hits)) ground = select(hits, ground_radiance(air, sunlight, ground_light, orders, at, reach) * transmittance, Vec4(0.0));
   return diffuse + apply_phases(air, phases, one_minus_cos(view, sun), class0, class1, class2, class3);
 }
 
 /// Transmittance of a view ray [1], by an integral of its own with three points a zone: it is held to 1e-5.
 FN Vec4 ray_transmittance(IN(Air) air, Table2 zones, Table2 profile, Float altitude, Vec3 view, Float distance) {
-  Float start = Float(0.0);
-  Float mu = Float(0.0);
-  Float mu_s = Float(0.0);
-  Float nu = Float(0.0);
   Float reach = Float(0.0);
+  Float whole = Float(0.0);
   Bool hits = reach > 1.0;
-  meet_air(air, altitude, view, view, distance, start, mu, mu_s, nu, reach, hits);
-  return exp(-optical_depth_along(air, zones, profile, start, mu, reach));
+  Vec4 at = meet_air(air, altitude, view, view, distance, reach, whole, hits);
+  return exp(-optical_depth_along(air, zones, profile, at.x, at.y, reach));
 }
 
 /// Sunlight normal to the beam at an observer, who may be in space, relative to that outside the atmosphere [1].

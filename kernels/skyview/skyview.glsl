@@ -1,17 +1,11 @@
 #pragma once
+#include "core/aerial.glsl"
 #include "core/radiance.glsl"
 // Real time: light scattered more than once from a small table, the sky as one observer sees it from another.
 // After Hillaire 2020 (doi:10.1111/cgf.14050). Ours differs: altitudes instead of radii; optical depth and -ln of light in the
 // tables; the first scattering keeps its phase functions inside the multiple-scattering table; the ground takes part in the
 // series; the sky-view table is half a dome (the other half mirrors it) and holds each peaked phase class without its phase
 // function, which is applied at the pixel: a halo stays as sharp as it is.
-
-struct Dome {
-  Scalar width;    // [1] in 32..256  of the sky-view table
-  Scalar height;   // [1] in 32..256
-  Scalar horizon;  // [1] in -0.5..0  mu_horizon at the observer
-  Scalar pad;      // [1] in 0..1
-};
 
 // Rows of the two tables below are directions and columns are Suns, so that the rays of one batch cross the same zones.
 
@@ -68,66 +62,98 @@ FN Vec4 skyview_ground_light_pass(IN(GridSize) size, Table2 ground_directions, V
   return -ln4(max(sum_of_column(ground_directions, floor(uv.x * size.width), Float(0.0), 256) * (3.14159265358979 / 256.0), 1.0e-30));
 }
 
-// ---- the sky of one observer: u is the sine of half the azimuth from the Sun, v runs from the horizon up, then from it down ----
-
-/// Table coordinates of a view [1].
-/// @param horizon [1] in -0.5..0  mu_horizon at the observer
-/// @param view [1] in -0.577..0.577
-/// @param sun [1] in -0.577..0.577
-/// @param width [1] in 32..256
-/// @param height [1] in 32..256
-/// @bound 1e-3 scale 1   the square root at the horizon: half the digits, a hundredth of a texel
-FN Vec2 skyview_uv(Scalar horizon, Vec3 view, Vec3 sun, Scalar width, Scalar height) {
-  Float view_across = max(sqrt(view.x * view.x + view.y * view.y), 1.0e-12);
-  Float sun_across = max(sqrt(sun.x * sun.x + sun.y * sun.y), 1.0e-12);
-  Float x = view.x / view_across - sun.x / sun_across;
-  Float y = view.y / view_across - sun.y / sun_across;
-  Float u = 0.5 * sqrt(x * x + y * y);
-  Float above = view.z - horizon;
-  Float up = sqrt(clamp(above * (1.0 / (1.0 - horizon)), 0.0, 1.0));
-  Float down = sqrt(clamp(-above * (1.0 / (1.0 + horizon)), 0.0, 1.0));
-  Scalar half_height = 0.5 * height;
-  Float v = select(above < 0.0, 0.5 + 0.5 * half_texel(down, half_height), 0.5 * half_texel(up, half_height));
-  return Vec2(half_texel(clamp(u, 0.0, 1.0), width), v);
-}
-/// The view of a place in the table, in the frame whose x axis points to the Sun's azimuth [1].
-/// @param horizon [1] in -0.5..0
-/// @param uv [1] in 0..1
-/// @param width [1] in 32..256
-/// @param height [1] in 32..256
-/// @bound 1e-3 scale 1   towards the zenith and nadir the horizontal part is the root of what float leaves of 1 - mu^2: half the digits
-FN Vec3 skyview_view(Scalar horizon, Vec2 uv, Scalar width, Scalar height) {
-  Scalar half_height = 0.5 * height;
-  Float u = from_half_texel(uv.x, width);
-  Bool below = uv.y > 0.5;
-  Float c = from_half_texel(select(below, 2.0 * uv.y - 1.0, 2.0 * uv.y), half_height);
-  // Never on the horizon itself, where rounding would decide between sky and ground.
-  Float mu = select(below, horizon - max(c * c, 1.0e-6) * (1.0 + horizon), horizon + max(c * c, 1.0e-6) * (1.0 - horizon));
-  mu = clamp(mu, -1.0, 1.0);
-  Float across = sqrt(max((1.0 - mu) * (1.0 + mu), 0.0));
-  return Vec3(across * (1.0 - 2.0 * u * u), across * 2.0 * u * sqrt(max(1.0 - u * u, 0.0)), mu);
-}
+// ---- the sky of one observer ----
 
 /// The sky and the ground seen by one observer, per solar irradiance [1/sr]: light of the smooth phase class, light scattered more
 /// than once and the ground; then classes 1 to 3 without their phase functions.
 FN Vec4 skyview_sky_view_pass(IN(Air) air, IN(Observer) observer, IN(Dome) dome, Table2 zones, Table2 profile, Table2 phases, Table2 sunlight, Table2 multiple, Table2 ground_light, Vec2 uv, OUT(Vec4) sky_class1, OUT(Vec4) sky_class2, OUT(Vec4) sky_class3) {
   Float altitude = Float(observer.altitude);
-  Vec3 view = skyview_view(dome.horizon, uv, dome.width, dome.height);
+  Vec3 view = dome_view(dome.horizon, uv, dome.width, dome.height);
   Vec3 sun = Vec3(Float(sqrt(max(1.0 - observer.sun.z * observer.sun.z, 0.0))), Float(0.0), Float(observer.sun.z));
-  Float start = Float(0.0);
-  Float mu = Float(0.0);
-  Float mu_s = Float(0.0);
-  Float nu = Float(0.0);
   Float reach = Float(0.0);
+  Float whole = Float(0.0);
   Bool hits = reach > 1.0;
-  meet_air(air, altitude, view, sun, Float(1.0e30), start, mu, mu_s, nu, reach, hits);
+  Vec4 at = meet_air(air, altitude, view, sun, Float(1.0e30), reach, whole, hits);
   Vec4 class0 = Vec4(0.0);
   Vec4 diffuse = Vec4(0.0);
   Vec4 depth = Vec4(0.0);
-  gather_light(air, 2, zones, profile, sunlight, multiple, start, mu, mu_s, nu, reach, class0, sky_class1, sky_class2, sky_class3, diffuse, depth);
-  Vec4 ground = ground_radiance(air, sunlight, ground_light, 2, start, mu_s, nu, reach);
+  gather_light(air, 2, zones, profile, sunlight, multiple, at, reach, class0, sky_class1, sky_class2, sky_class3, diffuse, depth);
+  Vec4 ground = ground_radiance(air, sunlight, ground_light, 2, at, reach);
   Vec4 smooth_part = class0 * lookup_row(phases, sqrt(max(0.5 * one_minus_cos(view, sun), 0.0)), 0);
   return diffuse + smooth_part + select(hits, ground * exp(-depth), Vec4(0.0));
+}
+
+/// The sky and the ground in a direction, from the sky-view table, per solar irradiance [1/sr].
+FN Vec4 skyview_seen(IN(Air) air, IN(Dome) dome, Table2 phases, Table2 sky_view, Table2 sky_class1, Table2 sky_class2, Table2 sky_class3, Vec3 view, Vec3 sun) {
+  Vec2 at = dome_uv(dome.horizon, view, sun, dome.width, dome.height);
+  Vec4 light = lookup(sky_view, at);
+  Float x = sqrt(max(0.5 * one_minus_cos(view, sun), 0.0));
+  if (air.classes > 1.5) light = light + lookup(sky_class1, at) * lookup_row(phases, x, 1);
+  if (air.classes > 2.5) light = light + lookup(sky_class2, at) * lookup_row(phases, x, 2);
+  if (air.classes > 3.5) light = light + lookup(sky_class3, at) * lookup_row(phases, x, 3);
+  return light;
+}
+
+// ---- aerial perspective of one observer ----
+
+/// Means along paths [1/m]: light scattered more than once, per solar irradiance [1/(m sr)]; optical depth; light of the first order
+/// of phase classes 0 and 1 without their phase functions.
+FN Vec4 skyview_aerial_pass(IN(Air) air, IN(Observer) observer, IN(Dome) froxels, Table2 zones, Table2 profile, Table2 sunlight, Table2 multiple, Vec3 uvw, OUT(Vec4) aerial_depth, OUT(Vec4) aerial_class0, OUT(Vec4) aerial_class1) {
+  Float reach = Float(0.0);
+  Vec4 at = aerial_ray(air, observer, froxels, uvw, reach);
+  Vec4 diffuse = Vec4(0.0);
+  Vec4 class2 = Vec4(0.0);
+  Vec4 class3 = Vec4(0.0);
+  gather_light(air, 2, zones, profile, sunlight, multiple, at, reach, aerial_class0, aerial_class1, class2, class3, diffuse, aerial_depth);
+  Float mean = 1.0 / max(reach, 1.0e-3);
+  aerial_depth = aerial_depth * mean;
+  aerial_class0 = aerial_class0 * mean;
+  aerial_class1 = aerial_class1 * mean;
+  return diffuse * mean;
+}
+/// The same for phase classes 2 and 3 [1/m]; a pass has four outputs at most, and few airs have so many classes.
+FN Vec4 skyview_aerial_class2_pass(IN(Air) air, IN(Observer) observer, IN(Dome) froxels, Table2 zones, Table2 profile, Table2 sunlight, Vec3 uvw, OUT(Vec4) aerial_class3) {
+  Vec4 class2 = Vec4(0.0);
+  aerial_class3 = Vec4(0.0);
+  if (air.classes > 2.5) {
+    Float reach = Float(0.0);
+    Vec4 at = aerial_ray(air, observer, froxels, uvw, reach);
+    Vec4 class0 = Vec4(0.0);
+    Vec4 class1 = Vec4(0.0);
+    Vec4 diffuse = Vec4(0.0);
+    Vec4 depth = Vec4(0.0);
+    gather_light(air, 1, zones, profile, sunlight, sunlight, at, reach, class0, class1, class2, aerial_class3, diffuse, depth);
+    Float mean = 1.0 / max(reach, 1.0e-3);
+    class2 = class2 * mean;
+    aerial_class3 = aerial_class3 * mean;
+  }
+  return class2;
+}
+
+/// The air before each of a picture's points [W m^-2 sr^-1 nm^-1], with the shadows of land; its transmittance. A point is a texel of
+/// `points` (view, and distance [m]; 1e15: the sky, with all behind it) and of `offsets` (x: see shadowed_light).
+FN Vec4 skyview_haze_pass(IN(Air) air, IN(Observer) observer, IN(Dome) dome, IN(Dome) froxels, IN(Shadow) shadow, Table2 phases, Table2 sky_view, Table2 sky_class1, Table2 sky_class2, Table2 sky_class3, Table3 aerial, Table3 aerial_depth, Table3 aerial_class0, Table3 aerial_class1, Table3 aerial_class2, Table3 aerial_class3, Table2 shadow_map, Table2 points, Table2 offsets, Vec2 uv, OUT(Vec4) transmittance) {
+  Vec4 point = fetch_same(points, uv);
+  Vec3 view = xyz(point);
+  Vec3 sun = Vec3(observer.sun.x, observer.sun.y, observer.sun.z);
+  Float reach = Float(0.0);
+  Float whole = Float(0.0);
+  Bool hits = reach > 1.0;
+  Vec4 at = meet_air(air, Float(observer.altitude), view, sun, point.w, reach, whole, hits);
+  Vec2 direction = dome_uv(froxels.horizon, view, sun, froxels.width, froxels.height);
+  Vec4 shadowed = Vec4(0.0);
+  Vec4 first = shadowed_light(air, froxels, shadow, observer, aerial_class0, aerial_class1, aerial_class2, aerial_class3, phases, shadow_map, view, fetch_same(offsets, uv).x, at, direction, reach, whole, shadowed);
+  Vec3 place = Vec3(direction.x, direction.y, aerial_w(reach, whole, froxels.depth));
+  Vec4 diffuse = lookup(aerial, place) * reach;
+  transmittance = exp(-lookup(aerial_depth, place) * reach);
+  Vec4 light = diffuse + shadowed;
+  Bool sky = point.w > 9.9e14;
+  if (any(sky)) {
+    // The sky's own table has more directions; the shadows take the same part of it.
+    Vec4 open = skyview_seen(air, dome, phases, sky_view, sky_class1, sky_class2, sky_class3, view, sun);
+    light = select(sky, open * light / max(diffuse + first, 1.0e-30), light);
+  }
+  return light * Vec4(air.solar_irradiance);
 }
 
 /// A picture from the sky-view table, linear sRGB [cd/m^2].
@@ -135,14 +161,8 @@ FN Vec4 skyview_picture_pass(IN(Air) air, IN(Camera) camera, IN(Observer) observ
   Float inside = Float(0.0);
   Vec3 view = camera_view(camera, uv, inside);
   Vec3 sun = Vec3(observer.sun.x, observer.sun.y, observer.sun.z);
-  Float apart = one_minus_cos(view, sun);
-  Vec2 at = skyview_uv(dome.horizon, view, sun, dome.width, dome.height);
-  Vec4 light = lookup(sky_view, at);
-  Float x = sqrt(max(0.5 * apart, 0.0));
-  if (air.classes > 1.5) light = light + lookup(sky_class1, at) * lookup_row(phases, x, 1);
-  if (air.classes > 2.5) light = light + lookup(sky_class2, at) * lookup_row(phases, x, 2);
-  if (air.classes > 3.5) light = light + lookup(sky_class3, at) * lookup_row(phases, x, 3);
-  if (display.disc > 0.5) light = light + disc_radiance(air, observer, display, optical_depth, view, apart);
+  Vec4 light = skyview_seen(air, dome, phases, sky_view, sky_class1, sky_class2, sky_class3, view, sun);
+  if (display.disc > 0.5) light = light + disc_radiance(air, observer, display, optical_depth, view, one_minus_cos(view, sun));
   return display_colour(display, light * Vec4(air.solar_irradiance)) * inside;
 }
 

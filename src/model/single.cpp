@@ -14,6 +14,7 @@ Model single_model() {
       .rays = "single.rays",
       .sky_light = "single.sky_light",
       .picture = [](const Situation&) -> std::string_view { return "single.picture"; },
+      .haze = [](const Situation&) -> std::string_view { return ""; },
       .fields = {},
   };
 }

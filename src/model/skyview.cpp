@@ -7,7 +7,7 @@
 namespace airlight {
 namespace {
 
-constexpr Shape dome{128, 160};
+constexpr Shape dome{128, 160}, froxels{32, 64, 32};
 
 // Above a third of the air the horizon of the sky-view table is the limb of a planet, too thin for its rows: rays are marched.
 bool table_holds(const Situation& s) { return s.altitude < 0.3 * s.top_altitude; }
@@ -26,15 +26,18 @@ Model skyview_model() {
                  {"skyview.multiple", {32, 32}},
                  {"skyview.ground_directions", {64, 256}},
                  {"skyview.ground_light", {64, 1}},
-                 {"skyview.sky_view", dome}},
+                 {"skyview.sky_view", dome},
+                 {"skyview.aerial", froxels},
+                 {"skyview.aerial_class2", froxels}},
       .rays = "skyview.rays",
       .sky_light = "skyview.sky_light",
       .picture = [](const Situation& s) -> std::string_view { return table_holds(s) ? "skyview.picture" : "skyview.space_picture"; },
-      .fields =
-          [](std::string_view argument, const Situation& s) -> Fields {
-        if (argument != "dome") return {};
+      .haze = [](const Situation& s) -> std::string_view { return table_holds(s) ? "skyview.haze" : ""; },
+      .fields = [](std::string_view argument, const Situation& s) -> Fields {
+        if (argument != "dome" && argument != "froxels") return {};
+        const Shape& shape = argument == "dome" ? dome : froxels;
         const double horizon = -std::sqrt(s.altitude * (2 * s.ground_radius + s.altitude)) / (s.ground_radius + s.altitude);
-        return {{"width", {double(dome.width)}}, {"height", {double(dome.height)}}, {"horizon", {horizon}}};
+        return {{"width", {double(shape.width)}}, {"height", {double(shape.height)}}, {"depth", {double(shape.depth)}}, {"horizon", {horizon}}};
       },
   };
 }

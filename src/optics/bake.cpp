@@ -124,7 +124,7 @@ BakedAir bake(const Atmosphere& atmosphere, const Quad& wavelengths, double datu
   air.zones.shape = {zones, 1, 1};
   for (int z = 0; z < zones; ++z) {
     const double bottom = edges[std::size_t(z)], upper = edges[std::size_t(z) + 1];
-    air.zones.rgba.insert(air.zones.rgba.end(), {bottom, upper, 1 / (upper - bottom), 0});
+    air.zones.rgba.insert(air.zones.rgba.end(), {bottom, upper, 1 / (upper - bottom), double(z)});
   }
 
   const int width = 2 * cells * zones;

@@ -56,6 +56,25 @@ Ray from_entry(const Ray& ray, double ground_radius, double top) {
   return inside;
 }
 
+Fields observer_fields(const Direction& sun, double altitude) { return {{"sun", {sun[0], sun[1], sun[2], 0}}, {"altitude", {altitude}}}; }
+
+// Without shadows: a map whose highest shadow lies below everything, so that no ray looks at it.
+void check_shadows(const AirShadows& shadows) {
+  check(shadows.width >= 2 && shadows.width <= 16384, "width of the shadow map", shadows.width, "2 .. 16384");
+  check(shadows.height >= 2 && shadows.height <= 16384, "height of the shadow map", shadows.height, "2 .. 16384");
+  check(shadows.steps >= 1 && shadows.steps <= 1024, "steps of the shadow map", shadows.steps, "1 .. 1024");
+  const double expected = 2.0 * shadows.width * shadows.height;
+  check(double(shadows.edges.size()) == expected, "values of the shadow map", double(shadows.edges.size()), "two for each cell");
+  for (const float edge : shadows.edges) check(std::isfinite(edge), "an altitude of the shadow map", edge, "a finite number of metres");
+}
+
+// Four wavelengths from the w-th on; the last stands for those that are missing.
+Quad quad_at(std::span<const double> wavelengths, std::size_t w) {
+  Quad quad;
+  for (std::size_t k = 0; k < 4; ++k) quad[k] = wavelengths[std::min(w + k, wavelengths.size() - 1)];
+  return quad;
+}
+
 }  // namespace
 
 struct Sky::Impl {
@@ -115,9 +134,7 @@ struct Sky::Impl {
     }
     std::vector<double> texels(4 * shape.texels()), more(texels.size());
     for (std::size_t w = 0; w < wavelengths.size(); w += 4) {
-      Quad quad;
-      for (std::size_t k = 0; k < 4; ++k) quad[k] = wavelengths[std::min(w + k, wavelengths.size() - 1)];
-      Binder b = binder(m, quad, rays[which[0]].altitude);
+      Binder b = binder(m, quad_at(wavelengths, w), rays[which[0]].altitude);
       b.set("eyes", engine->upload(shape, eyes));
       b.set("suns", engine->upload(shape, suns));
       std::vector<Table> answers;
@@ -138,6 +155,65 @@ struct Sky::Impl {
         for (std::size_t k = 0; k < 4 && w + k < wavelengths.size(); ++k) put(which[i], w + k, texels[4 * i + k]);
       }
     }
+  }
+
+  void haze(double altitude, const Direction& sun, std::span<const Sight> points, std::span<const double> wavelengths, const AirShadows* shadows,
+            std::span<double> inscatter, std::span<double> transmittance) {
+    const Situation s = situation(altitude, datum_for(altitude));
+    const std::string_view pass = model->haze(s);
+    if (pass.empty()) {
+      if (shadows) throw InputError("model " + std::string(model->name) + " cannot shade the air for an observer at " + number_text(altitude) + " m");
+      march_haze(altitude, sun, points, wavelengths, inscatter, transmittance);
+      return;
+    }
+    const int count = int(points.size()), width = std::min(count, 1024), height = (count + width - 1) / width;
+    const Shape shape{width, height, 1};
+    std::vector<double> sights, offsets;
+    for (std::size_t i = 0; i < shape.texels(); ++i) {
+      const Sight& p = points[std::min(i, points.size() - 1)];
+      sights.insert(sights.end(), {p.view[0], p.view[1], p.view[2], std::min(p.distance, 1e15)});
+      offsets.insert(offsets.end(), {p.offset, 0, 0, 0});
+    }
+    const Table sight_table = engine->upload(shape, sights), offset_table = engine->upload(shape, offsets);
+    const AirShadows none{2, 2, std::vector<float>(8, 0.0f), {}, {}, -1, 1};
+    const AirShadows& cast = shadows ? *shadows : none;
+    const double datum = datum_for(altitude);
+    std::vector<double> edges;
+    for (std::size_t i = 0; i < cast.edges.size(); i += 2) edges.insert(edges.end(), {cast.edges[i] - datum, cast.edges[i + 1] - datum, 0, 0});
+    const Table shadow_map = engine->upload({cast.width, cast.height, 1}, edges);
+    std::vector<double> texels(4 * shape.texels());
+    for (std::size_t w = 0; w < wavelengths.size(); w += 4) {
+      Binder b = binder(*model, quad_at(wavelengths, w), altitude);
+      b.set("observer", observer_fields(sun, s.altitude));
+      b.set("shadow", Fields{{"across", {cast.across.begin(), cast.across.end()}}, {"along", {cast.along.begin(), cast.along.end()}},
+                             {"highest", {shadows ? cast.highest - datum : -1}}, {"steps", {double(cast.steps)}}});
+      b.set("shadow_map", shadow_map);
+      b.set("points", sight_table);
+      b.set("offsets", offset_table);
+      const std::vector<Table> answers = b.run(pass, shape);
+      for (const std::span<double> out : {inscatter, transmittance}) {
+        engine->read(answers[out.data() == inscatter.data() ? 0 : 1], texels);
+        for (std::size_t i = 0; i < points.size(); ++i) {
+          for (std::size_t k = 0; k < 4 && w + k < wavelengths.size(); ++k) out[i * wavelengths.size() + w + k] = texels[4 * i + k];
+        }
+      }
+    }
+  }
+
+  // The same question asked of the model's rays.
+  void march_haze(double altitude, const Direction& sun, std::span<const Sight> points, std::span<const double> wavelengths, std::span<double> inscatter,
+                  std::span<double> transmittance) {
+    std::vector<Ray> rays;
+    std::vector<std::size_t> which;
+    for (const Sight& p : points) {
+      which.push_back(rays.size());
+      rays.push_back({altitude, p.view, sun, p.distance});
+    }
+    const auto into = [&](std::span<double> out) {
+      return [&wavelengths, out](std::size_t ray, std::size_t w, double value) { out[ray * wavelengths.size() + w] = value; };
+    };
+    answer(Quantity::radiance, rays, which, wavelengths, *model, into(inscatter));
+    answer(Quantity::transmittance, rays, which, wavelengths, *model, into(transmittance));
   }
 };
 
@@ -187,6 +263,25 @@ void Sky::evaluate(Quantity quantity, std::span<const Ray> rays, std::span<const
   std::ranges::copy(answers, out.begin());
 }
 
+void Sky::haze(double altitude, Direction sun, std::span<const Sight> points, std::span<const double> wavelengths, const AirShadows* shadows,
+               std::span<double> inscatter, std::span<double> transmittance) const {
+  check_altitude(altitude, impl_->atmosphere.planet.ground_radius, "altitude");
+  const Direction to_sun = checked_unit(sun, "sun");
+  const std::size_t expected = points.size() * wavelengths.size();
+  check(inscatter.size() == expected, "size of inscatter", double(inscatter.size()), "points times wavelengths");
+  check(transmittance.size() == expected, "size of transmittance", double(transmittance.size()), "points times wavelengths");
+  std::vector<Sight> checked(points.begin(), points.end());
+  for (std::size_t i = 0; i < checked.size(); ++i) {
+    const std::string name = "point " + std::to_string(i) + ": ";
+    check(checked[i].distance >= 0, name + "distance", checked[i].distance, "at least 0 m");
+    check(checked[i].offset >= 0 && checked[i].offset < 1, name + "offset", checked[i].offset, "0 .. 1");
+    checked[i].view = checked_unit(checked[i].view, name + "view");
+  }
+  if (shadows) check_shadows(*shadows);
+  if (points.empty() || wavelengths.empty()) return;
+  impl_->haze(altitude, to_sun, checked, wavelengths, shadows, inscatter, transmittance);
+}
+
 bool Sky::render(const Camera& camera, Direction sun, const PictureOptions& options,
                  const std::function<bool(int, int, std::span<const float>)>& strip) const {
   check(camera.width >= 1 && camera.width <= 65536, "picture width", camera.width, "1 .. 65536");
@@ -206,8 +301,7 @@ bool Sky::render(const Camera& camera, Direction sun, const PictureOptions& opti
   const Shape shape{camera.width, camera.height, 1};
   std::vector<Draw> draws;
   for (std::size_t w = 0; w < wavelengths.size(); w += 4) {
-    Quad quad;
-    std::copy_n(wavelengths.begin() + std::ptrdiff_t(w), 4, quad.begin());
+    const Quad quad = quad_at(wavelengths, w);
     Binder b = impl_->binder(*impl_->model, quad, camera.altitude);
     const Situation s = impl_->situation(camera.altitude, Impl::datum_for(camera.altitude));
     Fields display{{"disc", {options.sun_disc ? 1.0 : 0.0}}};
@@ -224,7 +318,7 @@ bool Sky::render(const Camera& camera, Direction sun, const PictureOptions& opti
       display["blue"].push_back(rgb[2]);
     }
     b.set("camera", camera_fields(camera));
-    b.set("observer", Fields{{"sun", {to_sun[0], to_sun[1], to_sun[2], 0}}, {"altitude", {s.altitude}}});
+    b.set("observer", observer_fields(to_sun, s.altitude));
     b.set("display", std::move(display));
     const PassInfo& pass = kernel_pass(impl_->model->picture(s));
     draws.push_back({&pass, b.parameters(pass, shape), b.inputs(pass)});
