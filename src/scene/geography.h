@@ -12,28 +12,23 @@ namespace airlight {
 /// The plane of distances east and north of a place (azimuthal equidistant on the ellipsoid, so that metres are metres).
 class Geography {
  public:
-  /// @param origin      geodetic
-  /// @param coordinate_system  WKT that tells which planet it is on; empty: Earth. Earth's systems all become WGS 84.
-  Geography(const Place& origin, const std::string& coordinate_system);
-  ~Geography();
-  Geography(Geography&&) noexcept;
-  Geography& operator=(Geography&&) noexcept;
+  virtual ~Geography() = default;
 
   /// Distances east and north [m] of a place. @throws InputError for the far side of the planet.
-  std::array<double, 2> plane(const Place& place) const;
+  virtual std::array<double, 2> plane(const Place& place) const = 0;
 
   /// Turns points (east, north) into coordinates of another system, in place.
   /// @param name  of the file, for messages. @throws InputError where the system cannot be understood or a point has no image.
-  void to_system(const std::string& coordinate_system, const std::string& name,
-                 std::span<std::array<double, 2>> points) const;
+  virtual void to_system(const std::string& coordinate_system, const std::string& name,
+                         std::span<std::array<double, 2>> points) const = 0;
   /// And back; points too far away become NaN.
-  void from_system(const std::string& coordinate_system, const std::string& name,
-                   std::span<std::array<double, 2>> points) const;
-
- private:
-  struct Impl;
-  std::unique_ptr<Impl> impl_;
+  virtual void from_system(const std::string& coordinate_system, const std::string& name,
+                           std::span<std::array<double, 2>> points) const = 0;
 };
+
+/// @param origin             geodetic
+/// @param coordinate_system  WKT that tells which planet it is on; empty: Earth. Earth's systems all become WGS 84.
+std::unique_ptr<Geography> make_geography(const Place& origin, const std::string& coordinate_system);
 
 /// Whether coordinates are longitude and latitude in degrees. @throws InputError where the system cannot be understood.
 bool is_geographic(const std::string& coordinate_system, const std::string& name);

@@ -100,7 +100,7 @@ Land::Land(LandSettings settings) {
   m.extent = std::min(m.settings.extent, radius);
   std::vector<std::shared_ptr<const RasterFile>> files;
   for (const ElevationFile& file : m.settings.files) {
-    files.push_back(std::make_shared<RasterFile>(file.file));
+    files.push_back(open_raster(file.file));
     check(file, *files.back());
   }
   std::string system;
@@ -111,7 +111,7 @@ Land::Land(LandSettings settings) {
     middle = middle_of(*files[i]);
   }
   m.origin = m.settings.origin.value_or(middle.value_or(Place{}));
-  m.geography = std::make_unique<Geography>(m.origin, system);
+  m.geography = make_geography(m.origin, system);
   for (std::size_t i = 0; i < files.size(); ++i) {
     m.layers.emplace_back(m.settings.files[i], files[i], *m.geography, m.extent);
   }
@@ -151,10 +151,9 @@ double Land::finest_cell(double east, double north, double half_width) const {
         north - margin > layer.map.north()) {
       continue;
     }
-    // Half a pixel shows the cubic between the values as a curve.
-    finest = std::min(finest, 0.5 * layer.pixel);
+    finest = std::min(finest, layer.pixel);
   }
-  // The smallest of its gullies have 1/350 of the wavelength.
+  // Two cells to the smallest of its gullies.
   if (m.settings.relief) finest = std::min(finest, m.settings.relief->wavelength / 1500);
   return finest;
 }

@@ -53,8 +53,15 @@ class LocalFrame {
   }
 
   GroundPoint ground(const Position& p) const {
-    const double across = std::hypot(p[0], p[1]);
-    const double stretch = across > 0 ? radius_ * std::atan2(across, p[2] + radius_) / across : 1;
+    // atan(q)/q: series below 0.1 rad, where the next term is 8e-12.
+    const double across2 = p[0] * p[0] + p[1] * p[1], down = p[2] + radius_, q2 = across2 / (down * down);
+    double stretch = radius_ / down;
+    if (q2 < 0.01 && down > 0) {
+      stretch *= 1 - q2 * (1.0 / 3 - q2 * (1.0 / 5 - q2 * (1.0 / 7 - q2 / 9)));
+    } else if (across2 > 0) {
+      const double across = std::sqrt(across2);
+      stretch = radius_ * std::atan2(across, down) / across;
+    }
     return {p[0] * stretch, p[1] * stretch, altitude(p)};
   }
 

@@ -20,12 +20,16 @@ class Wanted {
     const double near = std::max(far - reach, 0.5);
     const double pixel =
         near * detail_.pixel_angle * (seen(d, far, 1.2 * reach) ? pixels : pixels + detail_.unseen_pixels);
-    double finest = land_.finest_cell(east, north, half_width);
+    const double finest = land_.finest_cell(east, north, half_width);
+    if (std::isfinite(finest)) {
+      // The curve between a file's values is drawn too where it would show as facets, down to an eighth of its cells.
+      const double facet = facet_pixels * near * detail_.pixel_angle;
+      return std::max(pixel, std::clamp(facet, finest / 8, finest));
+    }
     // On the plain only the planet's curve shows: a chord stays within a quarter of a pixel, or a hundred millionth of the
     // radius, of its arc.
-    if (std::isinf(finest))
-      finest = std::sqrt(8 * frame.radius() * std::max(0.25 * near * detail_.pixel_angle, 1e-8 * frame.radius()));
-    return std::max(finest, pixel);
+    const double radius = land_.frame().radius();
+    return std::max(pixel, std::sqrt(8 * radius * std::max(0.25 * near * detail_.pixel_angle, 1e-8 * radius)));
   }
 
  private:
@@ -34,6 +38,7 @@ class Wanted {
     const double along = (d[0] * detail_.axis[0] + d[1] * detail_.axis[1] + d[2] * detail_.axis[2]) / far;
     return std::acos(std::clamp(along, -1.0, 1.0)) - std::asin(reach / far) <= detail_.half_angle;
   }
+  static constexpr double facet_pixels = 16;
   const Land& land_;
   const LevelOfDetail& detail_;
 };

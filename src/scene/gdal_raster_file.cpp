@@ -1,5 +1,4 @@
-#include "scene/raster_file.h"
-
+// RasterFile by GDAL.
 #include <gdal_priv.h>
 
 #include <cmath>
@@ -9,6 +8,7 @@
 #include <vector>
 
 #include "airlight/error.h"
+#include "scene/gdal_functions.h"
 #include "scene/gdal_quiet.h"
 
 namespace airlight {
@@ -35,55 +35,55 @@ struct Deleter {
   void operator()(GDALDataset* dataset) const { GDALClose(dataset); }
 };
 
-}  // namespace
+class GdalRasterFile : public RasterFile {
+ public:
+  explicit GdalRasterFile(const std::string& path);
 
-struct RasterFile::Impl {
-  std::string path, coordinate_system;
-  std::unique_ptr<GDALDataset, Deleter> dataset;
-  std::optional<std::array<double, 6>> geotransform;
-  mutable std::mutex mutex;
+  const std::string& path() const override { return path_; }
+  int width() const override { return dataset_->GetRasterXSize(); }
+  int height() const override { return dataset_->GetRasterYSize(); }
+  int bands() const override { return dataset_->GetRasterCount(); }
+  const std::string& coordinate_system() const override { return coordinate_system_; }
+  std::optional<std::array<double, 6>> geotransform() const override { return geotransform_; }
+  double integer_range(int band) const override;
+  void read(int band, int column, int row, int width, int height, int out_width, int out_height,
+            float* out) const override;
+
+ private:
+  std::string path_, coordinate_system_;
+  std::unique_ptr<GDALDataset, Deleter> dataset_;
+  std::optional<std::array<double, 6>> geotransform_;
+  mutable std::mutex mutex_;
 };
 
-RasterFile::RasterFile(const std::string& path) : impl_(std::make_unique<Impl>()) {
+GdalRasterFile::GdalRasterFile(const std::string& path) : path_(path) {
   register_formats();
   const GdalQuiet quiet;
-  impl_->path = path;
   std::error_code error;
   if (!std::filesystem::exists(path, error)) throw InputError(path + ": no such file");
   if (std::filesystem::is_directory(path, error)) throw InputError(path + ": expected a file, got a folder");
-  impl_->dataset.reset(static_cast<GDALDataset*>(
+  dataset_.reset(static_cast<GDALDataset*>(
       GDALOpenEx(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, nullptr, nullptr, nullptr)));
-  if (!impl_->dataset) throw InputError(path + ": GDAL cannot read it as a raster: " + CPLGetLastErrorMsg());
-  GDALDataset& dataset = *impl_->dataset;
+  if (!dataset_) throw InputError(path + ": GDAL cannot read it as a raster: " + CPLGetLastErrorMsg());
+  GDALDataset& dataset = *dataset_;
   if (dataset.GetRasterCount() < 1 || dataset.GetRasterXSize() < 2 || dataset.GetRasterYSize() < 2) {
     throw InputError(path + ": " + std::to_string(dataset.GetRasterXSize()) + " x " +
                      std::to_string(dataset.GetRasterYSize()) + " values in " +
                      std::to_string(dataset.GetRasterCount()) + " bands: expected at least 2 x 2 in one");
   }
-  impl_->coordinate_system = dataset.GetProjectionRef();
+  coordinate_system_ = dataset.GetProjectionRef();
   std::array<double, 6> transform{};
   if (dataset.GetGeoTransform(transform.data()) == CE_None) {
     const double determinant = transform[1] * transform[5] - transform[2] * transform[4];
     if (!std::isfinite(determinant) || determinant == 0 || !std::isfinite(transform[0] + transform[3])) {
       throw InputError(path + ": its geotransform is singular or not finite");
     }
-    impl_->geotransform = transform;
+    geotransform_ = transform;
   }
 }
-RasterFile::~RasterFile() = default;
-RasterFile::RasterFile(RasterFile&&) noexcept = default;
-RasterFile& RasterFile::operator=(RasterFile&&) noexcept = default;
-
-const std::string& RasterFile::path() const { return impl_->path; }
-int RasterFile::width() const { return impl_->dataset->GetRasterXSize(); }
-int RasterFile::height() const { return impl_->dataset->GetRasterYSize(); }
-int RasterFile::bands() const { return impl_->dataset->GetRasterCount(); }
-const std::string& RasterFile::coordinate_system() const { return impl_->coordinate_system; }
-std::optional<std::array<double, 6>> RasterFile::geotransform() const { return impl_->geotransform; }
-
-double RasterFile::integer_range(int band) const {
-  const std::lock_guard lock(impl_->mutex);
-  switch (impl_->dataset->GetRasterBand(band)->GetRasterDataType()) {
+double GdalRasterFile::integer_range(int band) const {
+  const std::lock_guard lock(mutex_);
+  switch (dataset_->GetRasterBand(band)->GetRasterDataType()) {
     case GDT_Byte:
       return 255;
     case GDT_UInt16:
@@ -93,16 +93,16 @@ double RasterFile::integer_range(int band) const {
   }
 }
 
-void RasterFile::read(int number, int column, int row, int width, int height, int out_width, int out_height,
-                      float* out) const {
-  const std::lock_guard lock(impl_->mutex);
+void GdalRasterFile::read(int number, int column, int row, int width, int height, int out_width, int out_height,
+                          float* out) const {
+  const std::lock_guard lock(mutex_);
   const GdalQuiet quiet;
-  GDALRasterBand& band = *impl_->dataset->GetRasterBand(number);
+  GDALRasterBand& band = *dataset_->GetRasterBand(number);
   GDALRasterIOExtraArg extra;
   INIT_RASTERIO_EXTRA_ARG(extra);
   extra.eResampleAlg = out_width < width || out_height < height ? GRIORA_Average : GRIORA_NearestNeighbour;
   const auto refuse = [&] {
-    throw InputError(impl_->path + ": band " + std::to_string(number) + " cannot be read: " + CPLGetLastErrorMsg());
+    throw InputError(path_ + ": band " + std::to_string(number) + " cannot be read: " + CPLGetLastErrorMsg());
   };
   if (band.RasterIO(GF_Read, column, row, width, height, out, out_width, out_height, GDT_Float32, 0, 0, &extra) !=
       CE_None) {
@@ -132,4 +132,9 @@ void RasterFile::read(int number, int column, int row, int width, int height, in
   for (std::size_t i = 0; i < count; ++i) out[i] = static_cast<float>(out[i] * scale + offset);
 }
 
+}  // namespace
+
+namespace gdal_module {
+std::unique_ptr<RasterFile> open_raster(const std::string& path) { return std::make_unique<GdalRasterFile>(path); }
+}  // namespace gdal_module
 }  // namespace airlight
