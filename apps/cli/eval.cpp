@@ -90,7 +90,7 @@ nlohmann::ordered_json described(const ArgumentInfo& argument) {
   nlohmann::ordered_json json{{"name", argument.name}, {"type", type_name(argument.type, argument.struct_name)}};
   if (argument.type == KernelType::Struct) {
     for (const ArgumentInfo& field : kernel_struct(argument.struct_name).fields)
-      json["fields"].push_back(described(field));
+      if (!is_padding(field)) json["fields"].push_back(described(field));
     return json;
   }
   json["unit"] = argument.unit;
@@ -123,7 +123,8 @@ void list_argument(const ArgumentInfo& argument, int indent, std::string& text) 
   if (!argument.out && argument.low < argument.high) text += fmt::format(" {:g} .. {:g}", argument.low, argument.high);
   text += '\n';
   if (argument.type == KernelType::Struct)
-    for (const ArgumentInfo& field : kernel_struct(argument.struct_name).fields) list_argument(field, indent + 4, text);
+    for (const ArgumentInfo& field : kernel_struct(argument.struct_name).fields)
+      if (!is_padding(field)) list_argument(field, indent + 4, text);
 }
 
 std::string list_as_text() {

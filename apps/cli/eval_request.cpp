@@ -44,9 +44,8 @@ void read_argument(const ArgumentInfo& argument, const json& value, const std::s
       Fields fields(value, name + '.');
       for (const ArgumentInfo& field : kernel_struct(argument.struct_name).fields) {
         const std::string key(field.name);
-        const bool padding = key.starts_with("pad");  // fills a struct up to 16 bytes; nobody should have to name it
         static const json zero = 0;
-        const json* const given = padding ? fields.find(key) : &fields.get(key);
+        const json* const given = is_padding(field) ? fields.find(key) : &fields.get(key);
         read_argument(field, given ? *given : zero, fields.path(key), numbers);
       }
       fields.expect_no_more();
@@ -96,6 +95,8 @@ json written(double number) {
 }
 
 }  // namespace
+
+bool is_padding(const ArgumentInfo& field) { return field.name.starts_with("pad"); }
 
 bool is_uniform(KernelType type) {
   return type == KernelType::Scalar || type == KernelType::Scalar4 || type == KernelType::Int ||

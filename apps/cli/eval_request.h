@@ -28,6 +28,9 @@ EvalRequest parse_eval_request(std::string_view text);
 nlohmann::ordered_json eval_answer(const nlohmann::json& id, const FunctionInfo& function,
                                    const std::vector<double>& results);
 
+/// True for a field that only fills a struct up to 16 bytes: nobody has to name it, and lists leave it out.
+bool is_padding(const ArgumentInfo& field);
+
 /// True for an argument that is the same for all lanes.
 bool is_uniform(KernelType type);
 

@@ -38,7 +38,7 @@ TEST_P(EvalOnEngine, answers_in_order_and_says_what_is_wrong) {
   EXPECT_EQ(outcome.code, 1) << outcome.err;
   const auto answers = json_lines(outcome.out);
   ASSERT_EQ(answers.size(), 6u);
-  for (int i = 0; i < 6; ++i) EXPECT_EQ(answers[i]["id"], "k" + std::to_string(i + 1));
+  for (int i = 0; i < 6; ++i) EXPECT_EQ(answers[i]["id"], (std::string{'k', char('1' + i)}));
   const auto value = [&](int i) { return answers[i].at("value").at(0).get<double>(); };
   // Closed forms: 3/(16 pi) (1 + c^2); (1 - g^2) / (4 pi (1 + g^2 - 2 g c)^1.5). 2e-5: the kernels' stated bound.
   EXPECT_NEAR(value(0), 0.0596831036594607 * 1.25, 2e-5 * 0.0746);
@@ -77,6 +77,8 @@ TEST(Eval, the_list_names_every_function_with_units_and_bound) {
     EXPECT_GT(function["bound"].get<double>(), 0) << function;
     EXPECT_GT(function["scale"].get<double>(), 0) << function;
   }
+  EXPECT_EQ(text.out.find("Scalar pad"), std::string::npos) << "padding is nobody's business";
+  EXPECT_EQ(listed.out.find("\"pad"), std::string::npos);
   // The list says enough to call a function: every argument in the middle of its range.
   for (const json& function : list) {
     if (function["fn"] != "core.phase_cornette_shanks") continue;
