@@ -43,6 +43,16 @@ struct Sight {
   double offset = 0.5;      ///< in [0, 1): where between its points a ray looks for shadows; spread over pixels, it dissolves their steps
 };
 
+/// A piece of a solid surface out of doors. Its frame: x horizontal towards the Sun, z the local vertical.
+struct SurfacePoint {
+  double altitude = 0;          ///< [m]
+  double sun_zenith_cosine = 1;  ///< of the Sun's centre, above the local horizontal
+  double sun_cosine = 1;         ///< of the angle between the surface's normal and the Sun; negative: it faces away
+  Direction normal{0, 0, 1};     ///< unit
+  double sun_visibility = 1;     ///< part of the Sun's disc that other surfaces leave visible
+  double sky_view = 1;           ///< cosine-weighted part of the upper hemisphere in which the surface, tilted as it is, sees sky; see src/scene/sky_view.h
+};
+
 /// Shadows that land casts into the air: a map over it, for one direction of the Sun. Outside the map all is lit.
 struct AirShadows {
   int width = 0, height = 0;
@@ -86,6 +96,15 @@ class Sky {
   /// @throws InputError naming the point and the value, and where a model cannot shade the air
   void haze(double altitude, Direction sun, std::span<const Sight> points, std::span<const double> wavelengths, const AirShadows* shadows,
             std::span<double> inscatter, std::span<double> transmittance) const;
+
+  /// Light that N Lambertian surface points reflect, at W wavelengths, lit by the Sun and by the sky, which is brighter on one side.
+  /// What hides the sky is taken for lit ground of the planet's albedo.
+  /// @param sun_zenith_cosine  where the Sun is for most of them; the sky's light is known for Suns within 3 degrees of that
+  /// @param albedo   N x W, in [0, 1]
+  /// @param radiance N x W [W m^-2 sr^-1 nm^-1]
+  /// @param skylight N x W [W m^-2 nm^-1] that reaches the surface from the sky and what hides it; may be empty
+  void surface(std::span<const SurfacePoint> points, double sun_zenith_cosine, std::span<const double> wavelengths, std::span<const double> albedo,
+               std::span<double> radiance, std::span<double> skylight) const;
 
   /// Linear-light picture in absolute units: RGBA rows of linear sRGB [cd/m^2], alpha 1.
   /// @param strip  Called with consecutive rows [begin, end) and their pixels, from the calling thread; return false to stop.

@@ -59,15 +59,15 @@ FN Vec4 sunlight_from(IN(Air) air, Table2 sunlight, Float altitude, Vec3 sun) {
 // Light from all directions is gathered in two passes, one ray a texel and then a sum: rays run side by side, and no texel turns
 // its loops more than 60000 times (Mesa's software driver leaves them after 65535, without a word).
 
-/// Direction of the upper hemisphere, one of 256 of equal cosine-weighted solid angle: 16 rings of 16 on one side of the x axis, along
-/// which the Sun stands and which mirrors the other side [1].
+/// Direction of the upper hemisphere, one of 256 of equal solid angle: 16 rings of 16 on one side of the x axis, along which the Sun
+/// stands and which mirrors the other side [1]. What comes from there is kept times its z, as a level plane gets it.
 /// @param index [1] in 0..255
 FN Vec3 hemisphere_direction(Float index) {
   Float ring = floor((index + 0.5) * (1.0 / 16.0));
-  Float sin_squared = (ring + 0.5) * (1.0 / 16.0);
+  Float z = (ring + 0.5) * (1.0 / 16.0);
   Float azimuth = (floor(index + 0.5) - 16.0 * ring + 0.5) * 0.196349540849362;
-  Float across = sqrt(sin_squared);
-  return Vec3(across * cos(azimuth), across * sin(azimuth), sqrt(1.0 - sin_squared));
+  Float across = sqrt(1.0 - z * z);
+  return Vec3(across * cos(azimuth), across * sin(azimuth), z);
 }
 
 /// The Sun turned about the vertical to the x axis [1].
@@ -90,7 +90,7 @@ FN Vec4 sum_of_column(Table2 table, Float column, Float row, int count) {
 
 /// Skylight on a horizontal plane that faces up, of observers one a row [W m^-2 nm^-1]: the sum over a model's `sky_light`.
 FN Vec4 sky_irradiance_pass(IN(Air) air, Table2 sky_light, Vec2 uv) {
-  return sum_of_row(sky_light, Float(0.0), floor(uv.y * height_of(sky_light)), 256) * (3.14159265358979 / 256.0) * Vec4(air.solar_irradiance);
+  return sum_of_row(sky_light, Float(0.0), floor(uv.y * height_of(sky_light)), 256) * (6.28318530717959 / 256.0) * Vec4(air.solar_irradiance);
 }
 
 /// Sunlight on a plane normal to the beam [W m^-2 nm^-1].

@@ -200,6 +200,56 @@ struct Sky::Impl {
     }
   }
 
+  void surface(std::span<const SurfacePoint> points, double sun_zenith_cosine, std::span<const double> wavelengths, std::span<const double> albedo,
+               std::span<double> radiance, std::span<double> skylight) {
+    const int count = int(points.size()), width = std::min(count, 1024), height = (count + width - 1) / width;
+    const Shape shape{width, height, 1};
+    std::vector<double> places, normals;
+    for (std::size_t i = 0; i < shape.texels(); ++i) {
+      const SurfacePoint& p = points[std::min(i, points.size() - 1)];
+      places.insert(places.end(), {p.altitude, p.sun_zenith_cosine, p.sun_visibility, p.sky_view});
+      normals.insert(normals.end(), {p.normal[0], p.normal[1], p.normal[2], p.sun_cosine});
+    }
+    const Table place_table = engine->upload(shape, places), normal_table = engine->upload(shape, normals);
+
+    // The sky is known for a few altitudes, dense near the ground as the kernel has it, and a few Suns.
+    constexpr int azimuths = 12, tilts = 13, altitudes = 12, suns = 5;
+    constexpr double spread = 0.0524;  // 3 degrees
+    const double highest = std::min(10000.0, 0.3 * atmosphere.planet.top_altitude), elevation = std::asin(sun_zenith_cosine);
+    const double low_sun = std::sin(std::max(elevation - spread, -1.57)), high_sun = std::sin(std::min(elevation + spread, 1.57));
+    std::vector<double> eyes, sun_rows;
+    for (int i = 0; i < altitudes * suns; ++i) {
+      const double v = double(i % altitudes) / (altitudes - 1), mu_s = low_sun + (high_sun - low_sun) * (i / altitudes) / (suns - 1);
+      eyes.insert(eyes.end(), {v * v * highest, 0, 0, 1});
+      sun_rows.insert(sun_rows.end(), {1e15, std::sqrt(1 - mu_s * mu_s), 0, mu_s});
+    }
+    const Shape rows{1, altitudes * suns, 1};
+    std::vector<double> colours(4 * shape.texels()), texels(colours.size());
+    const std::size_t W = wavelengths.size();
+    for (std::size_t w = 0; w < W; w += 4) {
+      Binder b = binder(*model, quad_at(wavelengths, w), 0);
+      b.set("grid", Fields{{"azimuths", {double(azimuths)}}, {"tilts", {double(tilts)}}, {"altitudes", {double(altitudes)}}, {"suns", {double(suns)}}, {"highest", {highest}}, {"low_sun", {low_sun}}, {"high_sun", {high_sun}}});
+      b.set("eyes", engine->upload(rows, eyes));
+      b.set("suns", engine->upload(rows, sun_rows));
+      b.set("sky_light", b.run(model->sky_light, {256, altitudes * suns, 1})[0]);
+      b.set("skylight", b.run("core.skylight", {azimuths, tilts * altitudes, suns})[0]);
+      for (std::size_t i = 0; i < shape.texels(); ++i) {
+        for (std::size_t k = 0; k < 4; ++k) colours[4 * i + k] = albedo[std::min(i, points.size() - 1) * W + std::min(w + k, W - 1)];
+      }
+      b.set("places", place_table);
+      b.set("normals", normal_table);
+      b.set("albedos", engine->upload(shape, colours));
+      const std::vector<Table> answers = b.run("core.surface", shape);
+      for (const auto& [table, out] : {std::pair{answers[0], radiance}, std::pair{answers[1], skylight}}) {
+        if (out.empty()) continue;
+        engine->read(table, texels);
+        for (std::size_t i = 0; i < points.size(); ++i) {
+          for (std::size_t k = 0; k < 4 && w + k < W; ++k) out[i * W + w + k] = texels[4 * i + k];
+        }
+      }
+    }
+  }
+
   // The same question asked of the model's rays.
   void march_haze(double altitude, const Direction& sun, std::span<const Sight> points, std::span<const double> wavelengths, std::span<double> inscatter,
                   std::span<double> transmittance) {
@@ -280,6 +330,27 @@ void Sky::haze(double altitude, Direction sun, std::span<const Sight> points, st
   if (shadows) check_shadows(*shadows);
   if (points.empty() || wavelengths.empty()) return;
   impl_->haze(altitude, to_sun, checked, wavelengths, shadows, inscatter, transmittance);
+}
+
+void Sky::surface(std::span<const SurfacePoint> points, double sun_zenith_cosine, std::span<const double> wavelengths, std::span<const double> albedo,
+                  std::span<double> radiance, std::span<double> skylight) const {
+  check(std::abs(sun_zenith_cosine) <= 1, "sun_zenith_cosine", sun_zenith_cosine, "-1 .. 1");
+  const std::size_t expected = points.size() * wavelengths.size();
+  check(albedo.size() == expected, "size of albedo", double(albedo.size()), "points times wavelengths");
+  check(radiance.size() == expected, "size of radiance", double(radiance.size()), "points times wavelengths");
+  check(skylight.empty() || skylight.size() == expected, "size of skylight", double(skylight.size()), "points times wavelengths, or 0");
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const SurfacePoint& p = points[i];
+    const std::string name = "point " + std::to_string(i) + ": ";
+    check_altitude(p.altitude, impl_->atmosphere.planet.ground_radius, name + "altitude");
+    checked_unit(p.normal, name + "normal");
+    check(std::abs(p.sun_zenith_cosine) <= 1, name + "sun_zenith_cosine", p.sun_zenith_cosine, "-1 .. 1");
+    check(std::abs(p.sun_cosine) <= 1, name + "sun_cosine", p.sun_cosine, "-1 .. 1");
+    check(p.sun_visibility >= 0 && p.sun_visibility <= 1, name + "sun_visibility", p.sun_visibility, "0 .. 1");
+    check(p.sky_view >= 0 && p.sky_view <= 1, name + "sky_view", p.sky_view, "0 .. 1");
+  }
+  for (const double a : albedo) check(a >= 0 && a <= 1, "albedo", a, "0 .. 1");
+  if (!points.empty() && !wavelengths.empty()) impl_->surface(points, sun_zenith_cosine, wavelengths, albedo, radiance, skylight);
 }
 
 bool Sky::render(const Camera& camera, Direction sun, const PictureOptions& options,
