@@ -62,10 +62,14 @@ struct Land::Impl {
 
   Impl(LandSettings s, double radius) : settings(std::move(s)), frame(radius) {}
 
-  double altitude(double east, double north, double cell) const {
+  /// How a place gets its altitude: (height of files) + relief * share of relief, then towards the plain.
+  struct Mixture {
+    double height, relief_share, land_share;
+  };
+  Mixture mix(double east, double north, double cell) const {
     // Towards the edge of the square all relief ends, so that the plain can go on from there.
     const double from_edge = extent - std::max(std::abs(east), std::abs(north));
-    if (from_edge <= 0) return plain;
+    if (from_edge <= 0) return {plain, 0, 0};
     double height = plain, cover = 0, outside = 1e9;
     for (const Layer& layer : layers) {
       const auto p = layer.map.pixel(east, north);
@@ -80,11 +84,28 @@ struct Land::Impl {
       height += (value - height) * weight;
       cover = std::max(cover, over_plain);
     }
-    if (settings.relief && cover < 1) {
-      const double begins = smooth_step(outside / (0.5 * settings.relief->wavelength));
-      if (begins > 0) height += begins * relief(*settings.relief, east, north, cell);
+    const bool relieved = settings.relief && cover < 1;
+    return {height, relieved ? smooth_step(outside / (0.5 * settings.relief->wavelength)) : 0,
+            smooth_step(from_edge / (0.1 * extent))};
+  }
+
+  void altitudes(std::span<const std::array<double, 2>> places, double cell, std::span<double> out) const {
+    constexpr std::size_t most = 64;
+    for (; places.size() > most; places = places.subspan(most), out = out.subspan(most)) {
+      altitudes(places.first(most), cell, out);
     }
-    return plain + (height - plain) * smooth_step(from_edge / (0.1 * extent));
+    Mixture mixtures[most];
+    bool relieved = false;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      mixtures[i] = mix(places[i][0], places[i][1], cell);
+      relieved = relieved || mixtures[i].relief_share > 0;
+    }
+    float heights[most] = {};
+    if (relieved) relief(*settings.relief, places, cell, heights);
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      const Mixture& m = mixtures[i];
+      out[i] = plain + (m.height + m.relief_share * double(heights[i]) - plain) * m.land_share;
+    }
   }
 };
 
@@ -127,7 +148,16 @@ Place Land::origin() const { return impl_->origin; }
 double Land::plain_altitude() const { return impl_->plain; }
 double Land::extent() const { return impl_->extent; }
 
-double Land::altitude(double east, double north, double cell) const { return impl_->altitude(east, north, cell); }
+double Land::altitude(double east, double north, double cell) const {
+  const std::array<double, 2> place[] = {{east, north}};
+  double altitude[1];
+  impl_->altitudes(place, cell, altitude);
+  return altitude[0];
+}
+
+void Land::altitudes(std::span<const std::array<double, 2>> places, double cell, std::span<double> altitudes) const {
+  impl_->altitudes(places, cell, altitudes);
+}
 
 double Land::highest() const {
   const Impl& m = *impl_;

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -47,6 +48,8 @@ class Land {
   /// Altitude of the ground [m] at distances east and north of the origin along the sphere [m].
   /// @param cell  smooths what is smaller than this [m]; 0: all there is
   double altitude(double east, double north, double cell = 0) const;
+  /// The same for many places (east, north): faster where there is relief.
+  void altitudes(std::span<const std::array<double, 2>> places, double cell, std::span<double> altitudes) const;
   /// The smallest cell [m] that shows anything new in a square around a place; infinite on the plain.
   double finest_cell(double east, double north, double half_width) const;
   /// No ground lies higher [m].

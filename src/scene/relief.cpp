@@ -3,136 +3,185 @@
 #include <algorithm>
 #include <cmath>
 
+// Compiled for several instruction sets, chosen when the program starts; contraction is off (CMakeLists.txt), so that all give
+// the same bits.
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
+#define AIRLIGHT_ALL_PROCESSORS __attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
+#else
+#define AIRLIGHT_ALL_PROCESSORS
+#endif
+#define AIRLIGHT_INLINE inline __attribute__((always_inline))
+
 namespace airlight {
 namespace {
 
+// Places are worked on in lanes: each step is a loop over them that the compiler makes into vector instructions, so functions
+// called in one have no branches.
+constexpr int lanes = 16;
+
 /// A height and its gradient, per unit of the plane they are functions of.
 struct Slope {
-  double height = 0, x = 0, y = 0;
+  float height, x, y;
 };
 
-/// Bits without pattern from a lattice point (Wang-style mixing; integers only, so the same everywhere).
-std::uint32_t scramble(std::int32_t x, std::int32_t y, std::uint32_t seed) {
+/// Bits without pattern from a lattice point; integers only, so the same everywhere.
+AIRLIGHT_INLINE std::uint32_t scramble(std::int32_t x, std::int32_t y, std::uint32_t seed) {
   std::uint32_t h = seed + static_cast<std::uint32_t>(x) * 0x9E3779B1u + static_cast<std::uint32_t>(y) * 0x85EBCA77u;
   h = (h ^ (h >> 15)) * 0x2C1B3C6Du;
   h = (h ^ (h >> 12)) * 0x297A2D39u;
   return h ^ (h >> 15);
 }
+AIRLIGHT_INLINE float low_half(std::uint32_t bits) { return float(std::int32_t(bits & 0xFFFFu)) * (1 / 65535.0f); }
+AIRLIGHT_INLINE float high_half(std::uint32_t bits) { return float(std::int32_t(bits >> 16)) * (1 / 65535.0f); }
 
 /// Gradient noise (Perlin 2002: quintic blend, so that slopes have no creases), in about [-1, 1], with its gradient.
-Slope noise(double x, double y, std::uint32_t seed) {
-  const double fx = std::floor(x), fy = std::floor(y);
+AIRLIGHT_INLINE Slope noise(float x, float y, std::uint32_t seed) {
+  const float fx = std::floor(x), fy = std::floor(y), u = x - fx, v = y - fy;
   const auto ix = static_cast<std::int32_t>(fx), iy = static_cast<std::int32_t>(fy);
-  const double u = x - fx, v = y - fy;
-  const double a = u * u * u * (u * (u * 6 - 15) + 10), b = v * v * v * (v * (v * 6 - 15) + 10);
-  const double da = 30 * u * u * (u - 1) * (u - 1), db = 30 * v * v * (v - 1) * (v - 1);
-  // Corners' gradients: components uniform in [-1, 1], 16 bits each.
-  double gx[4], gy[4], g[4];
+  const float a = u * u * u * (u * (u * 6 - 15) + 10), b = v * v * v * (v * (v * 6 - 15) + 10);
+  const float da = 30 * u * u * (u - 1) * (u - 1), db = 30 * v * v * (v - 1) * (v - 1);
+  float gx[4], gy[4], g[4];  // gradients at the corners: components uniform in [-1, 1]
   for (int k = 0; k < 4; ++k) {
     const int cx = k & 1, cy = k >> 1;
     const std::uint32_t bits = scramble(ix + cx, iy + cy, seed);
-    gx[k] = (bits & 0xFFFFu) * (2.0 / 65535) - 1;
-    gy[k] = (bits >> 16) * (2.0 / 65535) - 1;
-    g[k] = gx[k] * (u - cx) + gy[k] * (v - cy);
+    gx[k] = 2 * low_half(bits) - 1;
+    gy[k] = 2 * high_half(bits) - 1;
+    g[k] = gx[k] * (u - float(cx)) + gy[k] * (v - float(cy));
   }
-  const double k0 = g[0], k1 = g[1] - g[0], k2 = g[2] - g[0], k3 = g[0] - g[1] - g[2] + g[3];
-  constexpr double norm = 1.5;
-  return {norm * (k0 + a * k1 + b * k2 + a * b * k3),
+  const float k1 = g[1] - g[0], k2 = g[2] - g[0], k3 = g[0] - g[1] - g[2] + g[3];
+  constexpr float norm = 1.5f;
+  return {norm * (g[0] + a * k1 + b * k2 + a * b * k3),
           norm * (gx[0] + a * (gx[1] - gx[0]) + b * (gx[2] - gx[0]) + a * b * (gx[0] - gx[1] - gx[2] + gx[3]) +
                   da * (k1 + b * k3)),
           norm * (gy[0] + a * (gy[1] - gy[0]) + b * (gy[2] - gy[0]) + a * b * (gy[0] - gy[1] - gy[2] + gy[3]) +
                   db * (k2 + a * k3))};
 }
 
-/// 1 - |n| with the crest rounded over a width: ridges where noise changes its sign.
-Slope ridge(double x, double y, double rounding, std::uint32_t seed) {
+/// Ridges where noise changes its sign, in [0, 1], with rounded crests.
+AIRLIGHT_INLINE Slope ridge(float x, float y, std::uint32_t seed) {
+  constexpr float rounding = 0.07f;
   const Slope n = noise(x, y, seed);
-  const double distance = std::sqrt(n.height * n.height + rounding * rounding);
-  const double sign = n.height / distance;
+  const float distance = std::sqrt(n.height * n.height + rounding * rounding);
+  const float sign = n.height / distance;
   return {1 - distance + rounding, -sign * n.x, -sign * n.y};
 }
 
-/// Ribs and gullies that run down a slope: waves whose crests follow the fall line, a patch of them round each of the
-/// lattice's scattered points, so that they split and join. In [-1, 1], gradient across the ribs.
-/// @param down_x, down_y  unit, downhill
-Slope ribs(double x, double y, double down_x, double down_y, std::uint32_t seed) {
-  const auto ix = static_cast<std::int32_t>(std::floor(x)), iy = static_cast<std::int32_t>(std::floor(y));
-  const double side_x = -down_y, side_y = down_x;
-  double sum = 0, slope = 0, weights = 1e-6;
-  for (int j = -1; j <= 1; ++j) {
-    for (int i = -1; i <= 1; ++i) {
-      const std::uint32_t bits = scramble(ix + i, iy + j, seed);
-      const double px = x - (ix + i + 0.25 + (bits & 0xFFFFu) * (0.5 / 65535));
-      const double py = y - (iy + j + 0.25 + (bits >> 16) * (0.5 / 65535));
-      const double distance2 = px * px + py * py;
-      if (distance2 >= 1.5625) continue;  // what no point leaves out of its patch
-      const double w = 1 - distance2 / 1.5625, weight = w * w * w;
-      // Cosine by its quadratic spline: sharp ribs are the next octaves' work.
-      const double phase = px * side_x + py * side_y;
-      const double turn = phase - std::floor(phase + 0.5);  // -0.5 .. 0.5
-      const double m = 1 - 2 * std::abs(turn);              // 0 .. 1, 1 at the crest
-      const double s = m * m * (3 - 2 * m);
-      sum += weight * (2 * s - 1);
-      slope += weight * 2 * 6 * m * (1 - m) * (turn > 0 ? -2.0 : 2.0);
-      weights += weight;
+/// Ribs and gullies that run down a slope, for all lanes: waves whose crests follow the fall line, a patch of them round each of
+/// the lattice's scattered points, so that they split and join.
+struct Ribs {
+  float height[lanes];        ///< in [-1, 1]
+  float across_slope[lanes];  ///< its slope towards the left of downhill
+
+  /// @param down_x, down_y  unit, downhill
+  AIRLIGHT_INLINE Ribs(const float* x, const float* y, const float* down_x, const float* down_y, float frequency,
+                       std::uint32_t seed) {
+    constexpr float reach2 = 1.25f * 1.25f;  // squared; points that are not next to this cell are farther
+    float weights[lanes];
+    for (int l = 0; l < lanes; ++l) height[l] = across_slope[l] = 0, weights[l] = 1e-6f;
+    for (int k = 0; k < 9; ++k) {
+      const int i = k % 3 - 1, j = k / 3 - 1;
+      for (int l = 0; l < lanes; ++l) {
+        const float u = x[l] * frequency, v = y[l] * frequency, fu = std::floor(u), fv = std::floor(v);
+        const std::uint32_t bits = scramble(std::int32_t(fu) + i, std::int32_t(fv) + j, seed);
+        const float px = u - fu - (float(i) + 0.25f + 0.5f * low_half(bits));
+        const float py = v - fv - (float(j) + 0.25f + 0.5f * high_half(bits));
+        const float w = std::max(0.0f, 1 - (px * px + py * py) / reach2), weight = w * w * w;
+        const float phase = py * down_x[l] - px * down_y[l];
+        const float turn = phase - std::floor(phase + 0.5f);  // -0.5 .. 0.5, 0 on a crest
+        const float m = 1 - 2 * std::abs(turn);
+        // A cubic in place of the cosine.
+        height[l] += weight * (2 * m * m * (3 - 2 * m) - 1);
+        across_slope[l] -= weight * 24 * m * (1 - m) * std::copysign(1.0f, turn);
+        weights[l] += weight;
+      }
     }
+    for (int l = 0; l < lanes; ++l) height[l] /= weights[l], across_slope[l] /= weights[l];
   }
-  sum /= weights, slope /= weights;
-  return {sum, slope * side_x, slope * side_y};
-}
+};
 
 /// 0 where a wave is shorter than two cells, 1 from four cells on.
-double resolved(double wavelength, double cell) {
-  return cell > 0 ? std::clamp(wavelength / (2 * cell) - 1, 0.0, 1.0) : 1;
+float resolved(double wavelength, double cell) {
+  return cell > 0 ? float(std::clamp(wavelength / (2 * cell) - 1, 0.0, 1.0)) : 1.0f;
+}
+
+AIRLIGHT_ALL_PROCESSORS
+void relief_lanes(const ReliefSettings& settings, double cell, float* x, float* y, float* height) {
+  const std::uint32_t seed = settings.seed * 0x68E31DA4u;
+  float slope_x[lanes], slope_y[lanes], on_ridge[lanes];
+
+  // Ranges are bent: noise moves the place that noise is asked at.
+  for (int l = 0; l < lanes; ++l) {
+    const float bend_x = noise(0.7f * x[l], 0.7f * y[l], seed + 1).height;
+    const float bend_y = noise(0.7f * x[l], 0.7f * y[l], seed + 2).height;
+    x[l] += 0.35f * bend_x, y[l] += 0.35f * bend_y;
+    height[l] = slope_x[l] = slope_y[l] = 0;
+    on_ridge[l] = 1;
+  }
+
+  // Massifs and their main ridges; each octave grows on the ridges of the one before.
+  float amplitude = 1.15f, frequency = 0.55f;
+  for (std::uint32_t octave = 0; octave < 3; ++octave) {
+    const float kept = amplitude * resolved(settings.wavelength / double(frequency), cell);
+    if (kept == 0) break;
+    for (int l = 0; l < lanes; ++l) {
+      const Slope r = ridge(frequency * x[l], frequency * y[l], seed + 10 + octave);
+      const float a = kept * on_ridge[l];
+      height[l] += a * (r.height * r.height - 0.47f);
+      slope_x[l] += a * 2 * r.height * r.x * frequency;
+      slope_y[l] += a * 2 * r.height * r.y * frequency;
+      on_ridge[l] = std::min(1.0f, std::max(0.0f, on_ridge[l] * r.height * 1.3f));
+    }
+    frequency *= 2.13f, amplitude *= 0.48f;
+  }
+
+  // Water cuts gullies down every slope, smaller ones into the walls of greater ones.
+  frequency = 3.1f;
+  float depth = 0.085f * float(0.4 + 1.2 * settings.ruggedness);
+  for (std::uint32_t octave = 0; octave < 8; ++octave) {
+    const float kept = depth * resolved(settings.wavelength / double(frequency), cell);
+    if (kept == 0) break;
+    float down_x[lanes], down_y[lanes];
+    for (int l = 0; l < lanes; ++l) {
+      const float downhill = -1 / std::sqrt(std::max(slope_x[l] * slope_x[l] + slope_y[l] * slope_y[l], 1e-12f));
+      down_x[l] = slope_x[l] * downhill, down_y[l] = slope_y[l] * downhill;
+    }
+    const Ribs ribs(x, y, down_x, down_y, frequency, seed + 100 + octave);
+    for (int l = 0; l < lanes; ++l) {
+      const float steepness2 = slope_x[l] * slope_x[l] + slope_y[l] * slope_y[l];
+      // Crests and floors, where the fall line turns round, hold no gullies.
+      const float cut = kept * steepness2 / (0.5f + steepness2);
+      height[l] += cut * (ribs.height[l] - 0.3f);
+      const float across = 0.7f * cut * ribs.across_slope[l] * frequency;
+      slope_x[l] -= across * down_y[l], slope_y[l] += across * down_x[l];
+    }
+    frequency *= 1.83f, depth *= 0.53f;
+  }
+
+  const float highest = float(settings.height);
+  for (int l = 0; l < lanes; ++l) {
+    // Valley floors are filled, and no summit outgrows the stated height.
+    constexpr float floor = 0.06f, soft = 0.05f;
+    const float above = height[l] - floor;
+    const float t = std::max(0.0f, 0.5f * (above + std::sqrt(above * above + soft * soft)));
+    height[l] = highest * t / std::sqrt(std::sqrt(1 + t * t * t * t));
+  }
 }
 
 }  // namespace
 
-double relief(const ReliefSettings& settings, double east, double north, double cell) {
-  const std::uint32_t seed = settings.seed * 0x68E31DA4u;
-  const double scale = 1 / settings.wavelength, aspect = settings.height * scale;
-  double x = east * scale, y = north * scale;
-
-  // Ranges are bent: noise moves the place that noise is asked at.
-  const Slope bend_x = noise(0.7 * x, 0.7 * y, seed + 1), bend_y = noise(0.7 * x, 0.7 * y, seed + 2);
-  x += 0.35 * bend_x.height, y += 0.35 * bend_y.height;
-
-  // Massifs and their main ridges; each octave grows on the ridges of the one before.
-  Slope h;
-  double amplitude = 0.62, frequency = 0.5, on_ridge = 1;
-  for (std::uint32_t octave = 0; octave < 4; ++octave) {
-    const double kept = resolved(settings.wavelength / frequency, cell);
-    if (kept == 0) break;
-    const Slope r = ridge(frequency * x, frequency * y, 0.04, seed + 10 + octave);
-    const double a = amplitude * on_ridge * kept;
-    h.height += a * (r.height * r.height - 0.3);
-    h.x += a * 2 * r.height * r.x * frequency, h.y += a * 2 * r.height * r.y * frequency;
-    on_ridge = std::clamp(on_ridge * r.height * 1.4, 0.0, 1.0);
-    frequency *= 2.03, amplitude *= 0.52;
-  }
-
-  // Water cuts gullies down every slope, smaller ones into the walls of greater ones.
-  frequency = 5.5;
-  double depth = 0.085 * (0.4 + 1.2 * settings.ruggedness);
-  for (std::uint32_t octave = 0; octave < 7; ++octave) {
-    const double kept = resolved(settings.wavelength / frequency, cell);
-    if (kept == 0) break;
-    const double steepness = std::hypot(h.x, h.y);
-    if (steepness > 1e-9) {
-      // Flats hold no gullies; walls are stripped evenly.
-      const double cut = depth * kept * std::min(1.0, steepness * steepness / (0.35 + steepness * steepness) * 1.3);
-      const Slope r = ribs(frequency * x, frequency * y, -h.x / steepness, -h.y / steepness, seed + 100 + octave);
-      h.height += cut * (r.height - 0.4);
-      h.x += cut * r.x * frequency, h.y += cut * r.y * frequency;
+void relief(const ReliefSettings& settings, std::span<const std::array<double, 2>> places, double cell,
+            std::span<float> heights) {
+  const double scale = 1 / settings.wavelength;
+  for (std::size_t begin = 0; begin < places.size(); begin += lanes) {
+    alignas(64) float x[lanes], y[lanes], height[lanes];
+    const std::size_t count = std::min<std::size_t>(lanes, places.size() - begin);
+    for (std::size_t l = 0; l < lanes; ++l) {
+      const auto& place = places[begin + std::min(l, count - 1)];
+      x[l] = float(place[0] * scale), y[l] = float(place[1] * scale);
     }
-    frequency *= 1.97, depth *= 0.5;
+    relief_lanes(settings, cell, x, y, height);
+    std::copy_n(height, count, heights.begin() + std::ptrdiff_t(begin));
   }
-  (void)aspect;
-  // Valley floors are filled.
-  const double floor = 0.06, soft = 0.05;
-  const double above = h.height - floor;
-  const double filled = floor + 0.5 * (above + std::sqrt(above * above + soft * soft));
-  return settings.height * std::clamp(filled - floor, 0.0, 1.0);
 }
 
 }  // namespace airlight

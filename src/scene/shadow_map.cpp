@@ -35,29 +35,31 @@ struct SunPlane {
   }
 };
 
-/// Walks along the scene's straight axes over the land.
-class Walk {
- public:
-  Walk(const Land& land, const ShadowMap& map, double across) : land_(land), map_(map), v_(across) {}
+/// Ground under a line of the scene's plane up = 0, in the map's axes.
+struct Ground {
+  std::vector<double> u, z;  ///< along, and up [m]
 
-  /// Up coordinate [m] of the ground.
-  double ground(double u, double cell) {
-    const double x = u * map_.along[0] + v_ * map_.across[0], y = u * map_.along[1] + v_ * map_.across[1];
-    const double radius = land_.frame().radius(), distance2 = x * x + y * y;
-    // The place on the sphere depends a little on the height sought; the last step's is near enough.
-    const double r = radius + altitude_, q2 = distance2 / (r * r);
-    const double stretch = q2 < 0.01 ? 1 + q2 / 6 * (1 + q2 * 9 / 20 * (1 + q2 * 25 / 42))
-                                     : std::asin(std::sqrt(std::min(q2, 1.0))) / std::sqrt(q2);
-    altitude_ = land_.altitude(x * stretch * radius / r, y * stretch * radius / r, cell);
-    const double rise = radius + altitude_, inside = rise * rise - distance2;
-    // sqrt(rise^2 - distance^2) - radius, without cancelling.
-    return altitude_ - distance2 / (rise + std::sqrt(std::max(inside, 0.0)));
+  /// @param cell  of the land, in steps of the line; the first is at `first`
+  Ground(const Land& land, const ShadowMap& map, double v, const std::vector<double>& line, double cell) {
+    const double radius = land.frame().radius() + land.plain_altitude();
+    std::vector<std::array<double, 2>> places;
+    for (const double at : line) {
+      const double x = at * map.along[0] + v * map.across[0], y = at * map.along[1] + v * map.across[1];
+      // Along the sphere; what lies above the plain comes to stand a little farther out, and is taken where it stands.
+      const double q2 = std::min((x * x + y * y) / (radius * radius), 1.0);
+      const double arc =
+          q2 < 0.01 ? 1 + q2 / 6 * (1 + q2 * 9 / 20 * (1 + q2 * 25 / 42)) : std::asin(std::sqrt(q2)) / std::sqrt(q2);
+      const double stretch = arc * land.frame().radius() / radius;
+      places.push_back({x * stretch, y * stretch});
+    }
+    std::vector<double> altitudes(places.size());
+    land.altitudes(places, cell, altitudes);
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      const Position p = land.frame().position({places[i][0], places[i][1], altitudes[i]});
+      u.push_back(p[0] * map.along[0] + p[1] * map.along[1]);
+      z.push_back(p[2]);
+    }
   }
-
- private:
-  const Land& land_;
-  const ShadowMap& map_;
-  double v_, altitude_ = 0;
 };
 
 }  // namespace
@@ -91,28 +93,26 @@ ShadowMap shadow_map(const Land& land, const Direction& sun, double angular_radi
   const double reach = centre * (-slope + std::sqrt(slope * slope + 2 * relief / centre));
   const double farthest = std::max(edge, std::min(edge + reach, std::sqrt(2.0) * land.extent()));
 
+  // A ridge's shadow is as soft as its distance times the sun's width: far ground may be coarse.
+  std::vector<double> beyond, inside;
+  for (double u = farthest; u > edge; u -= std::max(map.spacing, 0.01 * (u - edge))) beyond.push_back(u);
+  for (int i = 0; i < grid.cells; ++i) inside.push_back(map.first_along + i * map.spacing);
+
   tbb::parallel_for(0, grid.cells, [&](int row) {
     const double v = map.first_across + row * map.spacing;
     const double sphere = centre + land.plain_altitude();
     const double circle = std::sqrt(std::max(sphere * sphere - v * v, 0.0));
     double dark = upper.of_planet(farthest, circle, centre), lit = lower.of_planet(farthest, circle, centre);
-    Walk walk(land, map, v);
-    const auto meet = [&](double u, double cell) {
-      const double z = walk.ground(u, cell);
-      dark = std::max(dark, upper.offset(u, z));
-      lit = std::max(lit, lower.offset(u, z));
+    const auto meet = [&](const Ground& ground, std::size_t i) {
+      dark = std::max(dark, upper.offset(ground.u[i], ground.z[i]));
+      lit = std::max(lit, lower.offset(ground.u[i], ground.z[i]));
     };
-    // A ridge's shadow is as soft as its distance times the sun's width: far ground may be coarse.
-    for (double u = farthest; u > edge;) {
-      const double step = std::max(map.spacing, 0.01 * (u - edge));
-      meet(u, 0.5 * step);
-      u -= step;
-    }
-    for (int i = grid.cells - 1; i >= 0; --i) {
-      const double u = map.first_along + i * map.spacing;
-      meet(u, 0.5 * map.spacing);
-      const double x = u * map.along[0] + v * map.across[0], y = u * map.along[1] + v * map.across[1];
-      const auto k = std::size_t(row) * count + std::size_t(i);
+    const Ground far(land, map, v, beyond, map.spacing), near(land, map, v, inside, 0.5 * map.spacing);
+    for (std::size_t i = 0; i < beyond.size(); ++i) meet(far, i);
+    for (std::size_t i = inside.size(); i-- > 0;) {
+      meet(near, i);
+      const double u = inside[i], x = u * map.along[0] + v * map.across[0], y = u * map.along[1] + v * map.across[1];
+      const std::size_t k = std::size_t(row) * count + i;
       map.dark[k] = float(land.frame().altitude({x, y, upper.height(u, dark)}));
       map.lit[k] = float(land.frame().altitude({x, y, lower.height(u, lit)}));
     }

@@ -81,9 +81,9 @@ struct Terrain::Impl {
   RayTree rays;
   double plain, highest;
 
-  Impl(std::shared_ptr<const Land> l, const LevelOfDetail& detail)
+  Impl(std::shared_ptr<const Land> l, const LevelOfDetail& detail, const TileTree::Draft* draft)
       : land(std::move(l)),
-        tree(*land, detail),
+        tree(*land, detail, draft),
         centre(below(detail.eye)),
         mesh(*land, tree, centre),
         rays(mesh, tree.leaves().size()),
@@ -273,19 +273,6 @@ struct Terrain::Impl {
   }
 };
 
-Terrain::Terrain(std::shared_ptr<const Land> land, const LevelOfDetail& detail)
-    : impl_(std::make_unique<Impl>(std::move(land), detail)) {}
-Terrain::~Terrain() = default;
-Terrain::Terrain(Terrain&&) noexcept = default;
-Terrain& Terrain::operator=(Terrain&&) noexcept = default;
-
-const Land& Terrain::land() const { return *impl_->land; }
-
-Terrain::Statistics Terrain::statistics() const {
-  constexpr std::size_t per_tile = TileTree::tile_cells * TileTree::tile_cells;
-  return {impl_->tree.leaves().size() * per_tile, impl_->mesh.bytes() + impl_->rays.bytes(), impl_->tree.pixels()};
-}
-
 namespace {
 
 /// Calls work(begin, count) for packets of neighbours, on all cores.
@@ -299,7 +286,76 @@ void in_packets(std::size_t count, const Work& work) {
   });
 }
 
+constexpr double draft_pixels = 6;
+
+/// Foreshortening of a tree's leaves, from the number of rays that meet them; those beside a leaf that is met count as hardly
+/// seen, since the draft's ridges are not quite the final ones.
+std::vector<float> stretches(const Terrain& terrain, const TileTree& tree, const LevelOfDetail& detail) {
+  // Directions spread evenly over the cone: a golden-angle spiral (Vogel 1979), about one a draft's pixel.
+  const double cap = 1 - std::cos(std::min(detail.half_angle, std::numbers::pi));
+  const double pixel = draft_pixels * detail.pixel_angle;
+  const auto count = std::size_t(std::clamp(2 * std::numbers::pi * cap / (pixel * pixel), 1e3, 1e6));
+  const Direction& axis = detail.axis;
+  const Direction side = std::abs(axis[2]) < 0.9 ? Direction{axis[1], -axis[0], 0} : Direction{0, axis[2], -axis[1]};
+  const double length = std::sqrt(dot(side, side));
+  const Direction right{side[0] / length, side[1] / length, side[2] / length};
+  const Direction up{right[1] * axis[2] - right[2] * axis[1], right[2] * axis[0] - right[0] * axis[2],
+                     right[0] * axis[1] - right[1] * axis[0]};
+  std::vector<SceneRay> rays(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const double versine = cap * (double(i) + 0.5) / double(count), turn = double(i) * 2.399963229728653;
+    const double sine = std::sqrt(versine * (2 - versine));
+    rays[i] = {detail.eye, along(along(along({0, 0, 0}, axis, 1 - versine), right, sine * std::cos(turn)), up,
+                                 sine * std::sin(turn))};
+  }
+  std::vector<TerrainHit> hits(count);
+  terrain.hits(rays, hits);
+  constexpr float most = 3;  // even edge-on, a ridge's outline is wanted
+  const double solid_angle = 2 * std::numbers::pi * cap / double(count);
+  std::vector<float> facing(tree.leaves().size(), 0), result(tree.leaves().size(), 0);
+  for (const TerrainHit& hit : hits) {
+    const int leaf = hit.mesh ? tree.leaf_at(tree.lattice(hit.ground.east), tree.lattice(hit.ground.north)) : -1;
+    if (leaf < 0) continue;
+    // Area of ground turned to the eye.
+    facing[std::size_t(leaf)] += float(solid_angle * hit.distance * hit.distance);
+  }
+  for (std::size_t leaf = 0; leaf < facing.size(); ++leaf) {
+    if (facing[leaf] == 0) continue;
+    const Tile& tile = tree.leaves()[leaf];
+    const std::int32_t width = TileTree::tile_cells * TileTree::span(tile.level);
+    const double metres = TileTree::tile_cells * tree.cell(tile.level);
+    result[leaf] = std::clamp(float(metres / std::sqrt(facing[leaf])), 1.0f, most);
+    for (std::int32_t j = -1; j <= 1; ++j) {
+      for (std::int32_t i = -1; i <= 1; ++i) {
+        const int beside = tree.leaf_at(tile.x + width / 2 + i * width, tile.y + width / 2 + j * width);
+        if (beside >= 0 && result[std::size_t(beside)] == 0) result[std::size_t(beside)] = most;
+      }
+    }
+  }
+  return result;
+}
+
 }  // namespace
+
+Terrain::Terrain(std::shared_ptr<const Land> land, const LevelOfDetail& detail) {
+  // Most of a mountainous country hides behind its nearest ridges. A draft with a fraction of the cells tells which
+  // squares the eye sees.
+  LevelOfDetail coarse = detail;
+  coarse.pixels = draft_pixels * detail.pixels;
+  impl_ = std::make_unique<Impl>(land, coarse, nullptr);
+  const TileTree::Draft draft{&impl_->tree, stretches(*this, impl_->tree, detail)};
+  impl_ = std::make_unique<Impl>(std::move(land), detail, &draft);
+}
+Terrain::~Terrain() = default;
+Terrain::Terrain(Terrain&&) noexcept = default;
+Terrain& Terrain::operator=(Terrain&&) noexcept = default;
+
+const Land& Terrain::land() const { return *impl_->land; }
+
+Terrain::Statistics Terrain::statistics() const {
+  constexpr std::size_t per_tile = TileTree::tile_cells * TileTree::tile_cells;
+  return {impl_->tree.leaves().size() * per_tile, impl_->mesh.bytes() + impl_->rays.bytes(), impl_->tree.pixels()};
+}
 
 void Terrain::hits(std::span<const SceneRay> rays, std::span<TerrainHit> hits) const {
   in_packets(rays.size(), [&](std::size_t begin, std::size_t count) {

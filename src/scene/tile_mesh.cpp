@@ -23,11 +23,18 @@ class Builder {
   void build(const Tile& tile, Vertex* vertices, std::uint32_t* normals) const {
     // With one more vertex all around, whose heights the slopes at the edge need.
     const std::int32_t step = TileTree::span(tile.level);
+    std::array<double, 2> places[side * side];
+    double altitudes[side * side];
+    for (int k = 0; k < side * side; ++k) {
+      places[k] = {tree_.metres(tile.x + (k % side - 1) * step), tree_.metres(tile.y + (k / side - 1) * step)};
+    }
+    land_.altitudes(places, tree_.cell(tile.level), altitudes);
     Position own[side][side];
     for (int j = 0; j < side; ++j) {
       for (int i = 0; i < side; ++i) {
-        own[j][i] = position(tile.x + (i - 1) * step, tile.y + (j - 1) * step, tile.level);
-        vertices[j * side + i] = rounded(own[j][i]);
+        const int k = j * side + i;
+        own[j][i] = placed(tile.x + (i - 1) * step, tile.y + (j - 1) * step, altitudes[k]);
+        vertices[k] = rounded(own[j][i]);
       }
     }
     for (int j = 0; j <= cells; ++j) {
@@ -42,11 +49,9 @@ class Builder {
  private:
   static constexpr int side = cells + 3;
 
-  Position position(std::int32_t x, std::int32_t y, int level) const {
-    const double east = tree_.metres(x), north = tree_.metres(y);
-    double altitude = land_.altitude(east, north, tree_.cell(level));
+  Position placed(std::int32_t x, std::int32_t y, double altitude) const {
     if (tree_.on_border(x, y)) altitude += border_lift_;
-    const Position p = land_.frame().position({east, north, altitude});
+    const Position p = land_.frame().position({tree_.metres(x), tree_.metres(y), altitude});
     return {p[0] - centre_[0], p[1] - centre_[1], p[2] - centre_[2]};
   }
 
@@ -65,7 +70,9 @@ class Builder {
   Vertex shared(std::int32_t x, std::int32_t y) const {
     const int level = tree_.coarsest_at(x, y);
     const std::int32_t step = TileTree::span(level), dx = x % step, dy = y % step;
-    if (dx == 0 && dy == 0) return rounded(position(x, y, level));
+    if (dx == 0 && dy == 0) {
+      return rounded(placed(x, y, land_.altitude(tree_.metres(x), tree_.metres(y), tree_.cell(level))));
+    }
     // On an edge of the coarse tile, between two of its vertices.
     const Vertex a = dx ? shared(x - dx, y) : shared(x, y - dy),
                  b = dx ? shared(x - dx + step, y) : shared(x, y - dy + step);

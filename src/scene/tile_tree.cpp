@@ -11,15 +11,16 @@ class Wanted {
  public:
   Wanted(const Land& land, const LevelOfDetail& detail) : land_(land), detail_(detail) {}
 
-  double cell(double east, double north, double half_width, double pixels) const {
+  /// @param stretch  see TileTree::Draft
+  double cell(double east, double north, double half_width, double pixels, double stretch) const {
     const LocalFrame& frame = land_.frame();
     const Position middle = frame.position({east, north, land_.altitude(east, north, 2 * half_width)});
     const Position d{middle[0] - detail_.eye[0], middle[1] - detail_.eye[1], middle[2] - detail_.eye[2]};
     const double reach = std::sqrt(2.0) * half_width;
     const double far = std::sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
     const double near = std::max(far - reach, 0.5);
-    const double pixel =
-        near * detail_.pixel_angle * (seen(d, far, 1.2 * reach) ? pixels : pixels + detail_.unseen_pixels);
+    const double pixel = near * detail_.pixel_angle *
+                         (stretch > 0 && seen(d, far, 1.2 * reach) ? pixels * stretch : pixels + detail_.unseen_pixels);
     const double finest = land_.finest_cell(east, north, half_width);
     if (std::isfinite(finest)) {
       // The curve between a file's values is drawn too where it would show as facets, down to an eighth of its cells.
@@ -45,7 +46,7 @@ class Wanted {
 
 }  // namespace
 
-TileTree::TileTree(const Land& land, const LevelOfDetail& detail) : pixels_(detail.pixels) {
+TileTree::TileTree(const Land& land, const LevelOfDetail& detail, const Draft* draft) : pixels_(detail.pixels) {
   // Cells of some level are as wide as the finest file's pixels.
   const double finest = land.finest_cell(0, 0, land.extent());
   double root_cell = land.extent() / (2 * tile_cells);
@@ -54,12 +55,12 @@ TileTree::TileTree(const Land& land, const LevelOfDetail& detail) : pixels_(deta
   half_side_ = 0.5 * roots_ * tile_cells * root_cell;
   unit_ = root_cell / span(0);
   for (;; pixels_ *= 1.3) {
-    grow(land, detail);
+    grow(land, detail, draft);
     if (!leaves_.empty()) break;
   }
 }
 
-void TileTree::grow(const Land& land, const LevelOfDetail& detail) {
+void TileTree::grow(const Land& land, const LevelOfDetail& detail, const Draft* draft) {
   const Wanted wanted(land, detail);
   const std::size_t most_leaves = std::max<std::size_t>(detail.most_cells / (tile_cells * tile_cells), 1);
   nodes_.assign(std::size_t(roots_) * std::size_t(roots_), {});
@@ -79,8 +80,10 @@ void TileTree::grow(const Land& land, const LevelOfDetail& detail) {
     const auto [node, tile] = open.back();
     open.pop_back();
     const std::int32_t half = tile_cells * span(tile.level) / 2;
-    if (tile.level < finest_level - 1 &&
-        cell(tile.level) > wanted.cell(metres(tile.x + half), metres(tile.y + half), unit_ * half, pixels_) * 1.001) {
+    const double stretched = draft ? stretch(*draft, tile) : 1;
+    const double cell_wanted =
+        wanted.cell(metres(tile.x + half), metres(tile.y + half), unit_ * half, pixels_, stretched);
+    if (tile.level < finest_level - 1 && cell(tile.level) > cell_wanted * 1.001) {
       const auto first = std::int32_t(nodes_.size());
       nodes_[std::size_t(node)].children = first;
       nodes_.resize(nodes_.size() + 4);
@@ -91,6 +94,7 @@ void TileTree::grow(const Land& land, const LevelOfDetail& detail) {
         return;
       }
     } else {
+      nodes_[std::size_t(node)].leaf = std::int32_t(leaves_.size());
       leaves_.push_back(tile);
     }
   }
@@ -101,15 +105,26 @@ bool TileTree::on_border(std::int32_t x, std::int32_t y) const {
   return x == 0 || y == 0 || x == end || y == end;
 }
 
-int TileTree::level_at(std::int32_t x, std::int32_t y) const {
+int TileTree::leaf_at(std::int32_t x, std::int32_t y) const {
   const std::int32_t side = tile_cells * span(0), end = roots_ * side;
-  if (x < 0 || y < 0 || x >= end || y >= end) return finest_level;
+  if (x < 0 || y < 0 || x >= end || y >= end) return -1;
   std::int32_t node = (y / side) * roots_ + x / side;
-  int level = 0;
-  for (std::int32_t half = side / 2; nodes_[std::size_t(node)].children >= 0; half /= 2, ++level) {
+  for (std::int32_t half = side / 2; nodes_[std::size_t(node)].children >= 0; half /= 2) {
     node = nodes_[std::size_t(node)].children + (x & half ? 1 : 0) + (y & half ? 2 : 0);
   }
-  return level;
+  return nodes_[std::size_t(node)].leaf;
+}
+
+int TileTree::level_at(std::int32_t x, std::int32_t y) const {
+  const int leaf = leaf_at(x, y);
+  return leaf < 0 ? finest_level : leaves_[std::size_t(leaf)].level;
+}
+
+double TileTree::stretch(const Draft& draft, const Tile& tile) const {
+  // A tile that is greater than the draft's has parts of which some may be seen: it is the smaller ones' turn.
+  const std::int32_t half = tile_cells * span(tile.level) / 2;
+  const int leaf = draft.tree->leaf_at(tile.x + half, tile.y + half);
+  return draft.tree->leaves_[std::size_t(leaf)].level > tile.level ? 1 : draft.stretch[std::size_t(leaf)];
 }
 
 int TileTree::coarsest_at(std::int32_t x, std::int32_t y) const {

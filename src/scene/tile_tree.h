@@ -1,6 +1,7 @@
 // Which squares of the land are drawn how finely for an eye: a quadtree whose leaves become tiles of the mesh.
 #pragma once
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -19,7 +20,14 @@ class TileTree {
  public:
   static constexpr int tile_cells = 32;
 
-  TileTree(const Land& land, const LevelOfDetail& detail);
+  /// A coarser tree, and for each of its leaves how much greater than a pixel cells may be there: 1 for ground seen face to
+  /// face, more for what is foreshortened, 0 for what is hidden.
+  struct Draft {
+    const TileTree* tree;
+    std::vector<float> stretch;
+  };
+  /// @param draft  null: all may be seen, face to face
+  TileTree(const Land& land, const LevelOfDetail& detail, const Draft* draft = nullptr);
 
   const std::vector<Tile>& leaves() const { return leaves_; }
   double half_side() const {
@@ -32,9 +40,12 @@ class TileTree {
     return 1 << (finest_level - level);
   }  ///< side of a cell in units of the lattice
   double metres(std::int32_t lattice) const { return unit_ * lattice - half_side_; }
+  std::int32_t lattice(double metres) const { return std::int32_t(std::floor((metres + half_side_) / unit_)); }
   bool on_border(std::int32_t x, std::int32_t y) const;
 
-  /// Level of the leaf around the lattice square whose south-west corner is given; `finest_level` outside of everything.
+  /// Index of the leaf around the lattice square whose south-west corner is given; -1 outside of everything.
+  int leaf_at(std::int32_t x, std::int32_t y) const;
+  /// Its level; `finest_level` outside of everything.
   int level_at(std::int32_t x, std::int32_t y) const;
   /// Level of the coarsest leaf that touches a lattice point.
   int coarsest_at(std::int32_t x, std::int32_t y) const;
@@ -43,8 +54,10 @@ class TileTree {
   static constexpr int finest_level = 20;
   struct Node {
     std::int32_t children = -1;  ///< index of the first of four; -1: a leaf
+    std::int32_t leaf = -1;      ///< its index
   };
-  void grow(const Land& land, const LevelOfDetail& detail);
+  void grow(const Land& land, const LevelOfDetail& detail, const Draft* draft);
+  double stretch(const Draft& draft, const Tile& tile) const;
 
   int roots_ = 4;  ///< trees a side
   double half_side_ = 0, unit_ = 0, pixels_ = 1;

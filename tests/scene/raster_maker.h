@@ -1,0 +1,37 @@
+// Elevation files for tests.
+#pragma once
+#include <unistd.h>
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace airlight {
+
+/// A folder that goes when the test does.
+struct Scratch {
+  std::filesystem::path folder;
+  Scratch() {
+    folder = std::filesystem::temp_directory_path() /
+             ("airlight_scene_test_" + std::to_string(getpid()) + "_" + std::to_string(count++));
+    std::filesystem::create_directories(folder);
+  }
+  ~Scratch() { std::filesystem::remove_all(folder); }
+  std::string path(const std::string& name) const { return (folder / name).string(); }
+  static inline int count = 0;
+};
+
+struct RasterDescription {
+  int width = 64, height = 64, bands = 1;
+  std::string coordinate_system{};     ///< anything that GDAL understands: "EPSG:32632"; empty: none
+  std::vector<double> geotransform{};  ///< six numbers, or none
+  std::vector<double> nodata{};        ///< one number, or none
+  bool bytes = false;                  ///< 8 bits in place of floats
+};
+
+/// Writes a GeoTIFF whose values are those of a function of the coordinates of the pixels' centres, and of the band.
+void write_raster(const std::string& path, const RasterDescription& description,
+                  const std::function<double(double x, double y, int band)>& value);
+
+}  // namespace airlight
