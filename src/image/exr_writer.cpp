@@ -34,29 +34,28 @@ void reorder_and_predict(std::span<const std::byte> raw, std::span<std::uint8_t>
 }
 
 /// One channel of a row: plain loops over arrays, which compilers turn into SIMD.
-std::span<const std::byte> take_halves(std::span<const float> rgba, int channel, std::vector<std::uint16_t>& plane) {
-  const float* in = rgba.data() + channel;
-  std::uint16_t* out = plane.data();
-  for (std::size_t x = 0, width = plane.size(); x < width; ++x) out[x] = half_bits(in[4 * x]);
-  return std::as_bytes(std::span(plane));
+std::byte* put_halves(const ExrPlane& plane, std::size_t width, std::byte* out) {
+  for (std::size_t x = 0; x < width; ++x) {
+    const std::uint16_t bits = half_bits(plane.values[x * plane.stride]);
+    std::memcpy(out + 2 * x, &bits, 2);
+  }
+  return out + 2 * width;
 }
-std::span<const std::byte> take_floats(std::span<const float> rgba, int channel, std::vector<float>& plane) {
-  const float* in = rgba.data() + channel;
-  for (std::size_t x = 0; x < plane.size(); ++x) plane[x] = in[4 * x];
-  return std::as_bytes(std::span(plane));
+std::byte* put_floats(const ExrPlane& plane, std::size_t width, std::byte* out) {
+  for (std::size_t x = 0; x < width; ++x) std::memcpy(out + 4 * x, plane.values + x * plane.stride, 4);
+  return out + 4 * width;
 }
 
 }  // namespace
 
-ExrWriter::ExrWriter(OutputFile& file, int width, int height, const PictureFormat& format, const Metadata& metadata)
-    : file_(file),
-      width_(width),
-      height_(height),
-      threads_(format.compression_threads),
-      half_(format.half),
-      blocks_(batch),
-      halves_(format.half ? std::size_t(width) : 0),
-      floats_(format.half ? 0 : std::size_t(width)) {
+ExrWriter::ExrWriter(OutputFile& file, int width, int height, std::vector<ExrChannel> channels,
+                     const Metadata& metadata, int threads)
+    : file_(file), width_(width), height_(height), threads_(threads), channels_(std::move(channels)), blocks_(batch) {
+  for (std::size_t i = 0; i < channels_.size(); ++i) {
+    order_.push_back(i);
+    row_size_ += std::size_t(width) * (channels_[i].half ? 2 : 4);
+  }
+  std::ranges::sort(order_, {}, [this](std::size_t i) -> const std::string& { return channels_[i].name; });
   exr_context_initializer_t init = EXR_DEFAULT_CONTEXT_INITIALIZER;
   init.user_data = this;
   init.error_handler_fn = [](exr_const_context_t context, exr_result_t, const char* message) {
@@ -76,7 +75,7 @@ ExrWriter::ExrWriter(OutputFile& file, int width, int height, const PictureForma
   };
   try {
     check(exr_start_write(&context_, file_.target().c_str(), EXR_WRITE_FILE_DIRECTLY, &init));
-    write_header(format, metadata);
+    write_header(metadata);
   } catch (...) {
     exr_finish(&context_);
     throw;
@@ -94,20 +93,24 @@ void ExrWriter::check(exr_result_t result) {
                     "' failed: " + (message_.empty() ? exr_get_default_error_message(result) : message_));
 }
 
-void ExrWriter::write_header(const PictureFormat& format, const Metadata& metadata) {
+void ExrWriter::write_header(const Metadata& metadata) {
   int part = 0;
   check(exr_set_longname_support(context_, 1));  // attribute names of up to 255 characters
   check(exr_add_part(context_, "sky", EXR_STORAGE_SCANLINE, &part));
   check(exr_initialize_required_attr_simple(context_, part, width_, height_, EXR_COMPRESSION_ZIP));
-  for (const char* channel : {"B", "G", "R"})
-    check(exr_add_channel(context_, part, channel, format.half ? EXR_PIXEL_HALF : EXR_PIXEL_FLOAT,
+  bool any_half = false;
+  for (const std::size_t i : order_) {
+    const ExrChannel& channel = channels_[i];
+    any_half |= channel.half;
+    check(exr_add_channel(context_, part, channel.name.c_str(), channel.half ? EXR_PIXEL_HALF : EXR_PIXEL_FLOAT,
                           EXR_PERCEPTUALLY_LOGARITHMIC, 1, 1));
+  }
   // Colour: sRGB's primaries and white (IEC 61966-2-1), linear; (1, 1, 1) is a white of 1 cd/m^2.
   const exr_attr_chromaticities_t srgb = {0.64f, 0.33f, 0.30f, 0.60f, 0.15f, 0.06f, 0.3127f, 0.3290f};
   check(exr_attr_set_chromaticities(context_, part, "chromaticities", &srgb));
   check(exr_attr_set_float(context_, part, "whiteLuminance", 1.0f));
   check(exr_attr_set_string(context_, part, "oiio:ColorSpace", "Linear"));
-  if (format.half) check(exr_attr_set_string(context_, part, "HalfClamp", "values above 65504 cd/m2 are clamped"));
+  if (any_half) check(exr_attr_set_string(context_, part, "HalfClamp", "values above 65504 cd/m2 are clamped"));
   for (const auto& [name, value] : metadata)
     if (const auto* text = std::get_if<std::string>(&value))
       check(exr_attr_set_string(context_, part, name.c_str(), text->c_str()));
@@ -116,26 +119,24 @@ void ExrWriter::write_header(const PictureFormat& format, const Metadata& metada
   check(exr_write_header(context_));
 }
 
-void ExrWriter::row(std::span<const float> rgba) {
-  const std::size_t row_size = 3 * std::size_t(width_) * (half_ ? 2 : 4);
+void ExrWriter::row(std::span<const ExrPlane> planes) {
   if (rows_ % rows_per_block == 0) {
     Block& next = blocks_[filled_++];
     next.first_row = rows_;
     next.rows = std::min(rows_per_block, height_ - rows_);
-    next.raw_size = std::size_t(next.rows) * row_size;
+    next.raw_size = std::size_t(next.rows) * row_size_;
     if (!next.raw) {
       // Not a vector: it would touch (and the system provide) all the room, of which compression needs little.
-      next.raw = std::make_unique_for_overwrite<std::byte[]>(rows_per_block * row_size);
-      next.packed = std::make_unique_for_overwrite<std::byte[]>(rows_per_block * row_size);
+      next.raw = std::make_unique_for_overwrite<std::byte[]>(rows_per_block * row_size_);
+      next.packed = std::make_unique_for_overwrite<std::byte[]>(rows_per_block * row_size_);
     }
   }
   Block& block = blocks_[filled_ - 1];
-  std::byte* out = block.raw.get() + std::size_t(rows_ - block.first_row) * row_size;
+  std::byte* out = block.raw.get() + std::size_t(rows_ - block.first_row) * row_size_;
   // A row lies in the file channel by channel, in alphabetical order. The processor is little-endian, as the format is.
-  for (const int channel : {2, 1, 0}) {
-    const auto plane = half_ ? take_halves(rgba, channel, halves_) : take_floats(rgba, channel, floats_);
-    out = std::copy(plane.begin(), plane.end(), out);
-  }
+  for (const std::size_t i : order_)
+    out = channels_[i].half ? put_halves(planes[i], std::size_t(width_), out)
+                            : put_floats(planes[i], std::size_t(width_), out);
   ++rows_;
   if (rows_ == block.first_row + block.rows && (filled_ == batch || rows_ == height_)) flush();
 }

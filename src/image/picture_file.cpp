@@ -49,7 +49,10 @@ struct PictureFile::Impl {
   Impl(const std::string& path, int w, int h, const PictureFormat& f, const Metadata& m)
       : file(path), kind(kind_of(file)), range(range_of(kind, f)), width(w), height(h), format(f), metadata(m) {
     if (kind == Kind::exr) {
-      exr = std::make_unique<ExrWriter>(file, width, height, format, metadata);
+      std::vector<ExrChannel> channels;
+      for (const char* colour : {"R", "G", "B"}) channels.push_back({colour, format.half});
+      for (const std::string& layer : format.layers) channels.push_back({layer, false});
+      exr = std::make_unique<ExrWriter>(file, width, height, std::move(channels), metadata, format.compression_threads);
     } else {
       encode_picture();  // a missing module should be told before hours of rendering
       rgb.reserve(3 * std::size_t(width) * std::size_t(height));
@@ -128,16 +131,22 @@ PictureFile::PictureFile(const std::string& path, int width, int height, const P
 
 PictureFile::~PictureFile() = default;
 
-void PictureFile::write_rows(int begin, int end, std::span<const float> rgba) {
+void PictureFile::write_rows(int begin, int end, std::span<const float> rgba, std::span<const LayerRows> layers) {
   Impl& own = *impl_;
   const std::size_t row = 4 * std::size_t(own.width);
-  if (begin != own.rows || end < begin || end > own.height || rgba.size() != std::size_t(end - begin) * row)
-    throw std::logic_error("PictureFile::write_rows: rows must come in order, each of `width` RGBA pixels");
+  if (begin != own.rows || end < begin || end > own.height || rgba.size() != std::size_t(end - begin) * row ||
+      layers.size() != own.format.layers.size())
+    throw std::logic_error("PictureFile::write_rows: rows must come in order, each of `width` RGBA pixels, with all layers");
+  std::vector<ExrPlane> planes(3 + layers.size());
   for (; own.rows < end; ++own.rows, rgba = rgba.subspan(row)) {
     const std::span<const float> pixels = own.mended(rgba.first(row));
-    if (own.exr)
-      own.exr->row(pixels);
-    else
+    if (own.exr) {
+      for (std::size_t c = 0; c < 3; ++c) planes[c] = {pixels.data() + c, 4};
+      for (std::size_t i = 0; i < layers.size(); ++i)
+        planes[3 + i] = {layers[i].values + std::size_t(own.rows - begin) * std::size_t(own.width) * layers[i].stride,
+                         layers[i].stride};
+      own.exr->row(planes);
+    } else
       for (std::size_t i = 0; i < row; i += 4) own.rgb.insert(own.rgb.end(), {pixels[i], pixels[i + 1], pixels[i + 2]});
   }
 }

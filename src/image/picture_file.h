@@ -21,6 +21,13 @@ struct PictureFormat {
   std::optional<double> exposure_ev = {};  ///< PNG: linear picture times 2^EV (EV 0: 1 cd/m2 -> 1); none: automatic
   ToneCurve tone_curve = ToneCurve::filmic;
   int compression_threads = 0;  ///< 0: all cores
+  std::vector<std::string> layers = {};  ///< EXR: further channels, always 32-bit, by their names in the file
+};
+
+/// A further channel's values in the rows at hand: the first, and from one pixel to the next.
+struct LayerRows {
+  const float* values;
+  std::size_t stride;
 };
 
 /// Takes a picture row by row: linear sRGB [cd/m^2].
@@ -33,7 +40,8 @@ class PictureFile {
   ~PictureFile();  ///< not finished: the temporary file is removed
 
   /// Rows [begin, end), consecutive from 0; RGBA, alpha is not written.
-  void write_rows(int begin, int end, std::span<const float> rgba);
+  /// @param layers  one for each of the format's; formats other than EXR pass over them
+  void write_rows(int begin, int end, std::span<const float> rgba, std::span<const LayerRows> layers = {});
 
   /// Completes and renames. @throws WorkError when the disk is full or closing fails; nothing is left behind.
   void finish();

@@ -84,6 +84,21 @@ Fields camera_fields(const Camera& c) {
 
 Direction view_direction(const Camera& camera, double u, double v) { return view_of(kernel_camera(camera), u, v); }
 
+std::function<std::optional<Direction>(double u, double v)> viewer(const Camera& camera) {
+  return [kernel = kernel_camera(camera)](double u, double v) -> std::optional<Direction> {
+    host_camera::Float inside;
+    const host_camera::Vec3 d = camera_view(kernel, {u, v}, inside);
+    if (inside.v < 0.5) return {};
+    return Direction{d.x.v, d.y.v, d.z.v};
+  };
+}
+
+std::array<double, 4> disc_radiance(const DiscInPicture& disc, const std::array<double, 4>& exponent, double one_minus_cos) {
+  const host_camera::Scalar4 limb(exponent[0], exponent[1], exponent[2], exponent[3]);
+  const host_camera::Vec4 shape = disc_shape(limb, disc.radius, disc.edge, host_camera::Float(one_minus_cos));
+  return {shape.x.v * disc.gain[0], shape.y.v * disc.gain[1], shape.z.v * disc.gain[2], shape.w.v * disc.gain[3]};
+}
+
 DiscInPicture disc_in_picture(const Camera& camera, Direction sun, double angular_radius, const std::array<double, 4>& exponent) {
   const host_camera::Camera kernel = kernel_camera(camera);
   // The picture goes on a block beyond its frame, so that a disc cut by the frame is not made brighter. An equirectangular one wraps.

@@ -22,15 +22,22 @@ constexpr double eye_height = 1;  // [m]
 
 double length(const Direction& d) { return std::sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]); }
 
-void check(bool good, const std::string& what, double value, const char* range) {
-  if (!good) throw InputError(what + " = " + number_text(value) + ": expected " + range);
+// The i-th of what was given, in an error; no text is made for the many that are good.
+struct Nth {
+  const char *kind = nullptr, *what;
+  std::size_t i = 0;
+  std::string text() const { return kind ? std::string(kind) + ' ' + std::to_string(i) + ": " + what : what; }
+};
+void check(bool good, const Nth& what, double value, const char* range) {
+  if (!good) throw InputError(what.text() + " = " + number_text(value) + ": expected " + range);
 }
-void check_altitude(double altitude, double ground_radius, const std::string& what) {
+void check(bool good, const char* what, double value, const char* range) { check(good, Nth{nullptr, what}, value, range); }
+void check_altitude(double altitude, double ground_radius, const Nth& what) {
   check(altitude > -0.9 * ground_radius && altitude <= 1e12, what, altitude, "-0.9 ground radii .. 1e12 m");
 }
-Direction checked_unit(const Direction& d, const std::string& what) {
+Direction checked_unit(const Direction& d, const Nth& what) {
   const double n = length(d);
-  check(std::abs(n - 1) < 1e-3, "length of " + what, n, "1 within 0.001");
+  check(std::abs(n - 1) < 1e-3, what, n, "a unit vector: length 1 within 0.001");
   return {d[0] / n, d[1] / n, d[2] / n};
 }
 
@@ -54,6 +61,10 @@ Ray from_entry(const Ray& ray, double ground_radius, double top) {
   Ray inside{top, turned(ray.view), turned(ray.sun), std::max(ray.distance - path, 0.0)};
   inside.view[2] = -half_chord / outer;  // its digits are what this is for
   return inside;
+}
+
+void set_texel(std::vector<double>& texels, std::size_t i, double x, double y, double z, double w) {
+  texels[4 * i] = x, texels[4 * i + 1] = y, texels[4 * i + 2] = z, texels[4 * i + 3] = w;
 }
 
 Fields observer_fields(const Direction& sun, double altitude) { return {{"sun", {sun[0], sun[1], sun[2], 0}}, {"altitude", {altitude}}}; }
@@ -121,7 +132,7 @@ struct Sky::Impl {
     const bool sky_light = quantity == Quantity::sky_irradiance;  // sums over directions: observers are rows
     const int count = int(which.size()), width = sky_light ? 1 : std::min(count, 1024), height = (count + width - 1) / width;
     const Shape shape{width, height, 1};
-    std::vector<double> eyes, suns;
+    std::vector<double> eyes(4 * shape.texels()), suns(eyes.size());
     const double datum = datum_for(rays[which[0]].altitude);
     for (std::size_t i = 0; i < shape.texels(); ++i) {
       Ray r = rays[which[std::min(i, which.size() - 1)]];
@@ -129,8 +140,8 @@ struct Sky::Impl {
       if (quantity < Quantity::sun_irradiance) r = from_entry(r, atmosphere.planet.ground_radius + datum, atmosphere.planet.top_altitude - datum);
       // Far beyond any air; float squares it.
       const double distance = std::min(r.distance, 1e15);
-      eyes.insert(eyes.end(), {r.altitude, r.view[0], r.view[1], r.view[2]});
-      suns.insert(suns.end(), {distance, r.sun[0], r.sun[1], r.sun[2]});
+      set_texel(eyes, i, r.altitude, r.view[0], r.view[1], r.view[2]);
+      set_texel(suns, i, distance, r.sun[0], r.sun[1], r.sun[2]);
     }
     std::vector<double> texels(4 * shape.texels()), more(texels.size());
     for (std::size_t w = 0; w < wavelengths.size(); w += 4) {
@@ -168,18 +179,18 @@ struct Sky::Impl {
     }
     const int count = int(points.size()), width = std::min(count, 1024), height = (count + width - 1) / width;
     const Shape shape{width, height, 1};
-    std::vector<double> sights, offsets;
+    std::vector<double> sights(4 * shape.texels()), offsets(sights.size());
     for (std::size_t i = 0; i < shape.texels(); ++i) {
       const Sight& p = points[std::min(i, points.size() - 1)];
-      sights.insert(sights.end(), {p.view[0], p.view[1], p.view[2], std::min(p.distance, 1e15)});
-      offsets.insert(offsets.end(), {p.offset, 0, 0, 0});
+      set_texel(sights, i, p.view[0], p.view[1], p.view[2], std::min(p.distance, 1e15));
+      set_texel(offsets, i, p.offset, 0, 0, 0);
     }
     const Table sight_table = engine->upload(shape, sights), offset_table = engine->upload(shape, offsets);
     const AirShadows none{2, 2, std::vector<float>(8, 0.0f), {}, {}, -1, 1};
     const AirShadows& cast = shadows ? *shadows : none;
     const double datum = datum_for(altitude);
-    std::vector<double> edges;
-    for (std::size_t i = 0; i < cast.edges.size(); i += 2) edges.insert(edges.end(), {cast.edges[i] - datum, cast.edges[i + 1] - datum, 0, 0});
+    std::vector<double> edges(2 * cast.edges.size());
+    for (std::size_t i = 0; 2 * i < cast.edges.size(); ++i) set_texel(edges, i, cast.edges[2 * i] - datum, cast.edges[2 * i + 1] - datum, 0, 0);
     const Table shadow_map = engine->upload({cast.width, cast.height, 1}, edges);
     std::vector<double> texels(4 * shape.texels());
     for (std::size_t w = 0; w < wavelengths.size(); w += 4) {
@@ -204,11 +215,11 @@ struct Sky::Impl {
                std::span<double> radiance, std::span<double> skylight) {
     const int count = int(points.size()), width = std::min(count, 1024), height = (count + width - 1) / width;
     const Shape shape{width, height, 1};
-    std::vector<double> places, normals;
+    std::vector<double> places(4 * shape.texels()), normals(places.size());
     for (std::size_t i = 0; i < shape.texels(); ++i) {
       const SurfacePoint& p = points[std::min(i, points.size() - 1)];
-      places.insert(places.end(), {p.altitude, p.sun_zenith_cosine, p.sun_visibility, p.sky_view});
-      normals.insert(normals.end(), {p.normal[0], p.normal[1], p.normal[2], p.sun_cosine});
+      set_texel(places, i, p.altitude, p.sun_zenith_cosine, p.sun_visibility, p.sky_view);
+      set_texel(normals, i, p.normal[0], p.normal[1], p.normal[2], p.sun_cosine);
     }
     const Table place_table = engine->upload(shape, places), normal_table = engine->upload(shape, normals);
 
@@ -217,11 +228,11 @@ struct Sky::Impl {
     constexpr double spread = 0.0524;  // 3 degrees
     const double highest = std::min(10000.0, 0.3 * atmosphere.planet.top_altitude), elevation = std::asin(sun_zenith_cosine);
     const double low_sun = std::sin(std::max(elevation - spread, -1.57)), high_sun = std::sin(std::min(elevation + spread, 1.57));
-    std::vector<double> eyes, sun_rows;
+    std::vector<double> eyes(4 * altitudes * suns), sun_rows(eyes.size());
     for (int i = 0; i < altitudes * suns; ++i) {
       const double v = double(i % altitudes) / (altitudes - 1), mu_s = low_sun + (high_sun - low_sun) * (i / altitudes) / (suns - 1);
-      eyes.insert(eyes.end(), {v * v * highest, 0, 0, 1});
-      sun_rows.insert(sun_rows.end(), {1e15, std::sqrt(1 - mu_s * mu_s), 0, mu_s});
+      set_texel(eyes, std::size_t(i), v * v * highest, 0, 0, 1);
+      set_texel(sun_rows, std::size_t(i), 1e15, std::sqrt(1 - mu_s * mu_s), 0, mu_s);
     }
     const Shape rows{1, altitudes * suns, 1};
     std::vector<double> colours(4 * shape.texels()), texels(colours.size());
@@ -291,11 +302,10 @@ void Sky::evaluate(Quantity quantity, std::span<const Ray> rays, std::span<const
   std::map<double, std::vector<std::size_t>> groups;  // by datum
   for (std::size_t i = 0; i < checked.size(); ++i) {
     Ray& r = checked[i];
-    const std::string name = "ray " + std::to_string(i) + ": ";
-    check_altitude(r.altitude, impl_->atmosphere.planet.ground_radius, name + "altitude");
-    check(r.distance >= 0, name + "distance", r.distance, "at least 0 m");
-    r.view = checked_unit(r.view, name + "view");
-    r.sun = checked_unit(r.sun, name + "sun");
+    check_altitude(r.altitude, impl_->atmosphere.planet.ground_radius, {"ray", "altitude", i});
+    check(r.distance >= 0, {"ray", "distance", i}, r.distance, "at least 0 m");
+    r.view = checked_unit(r.view, {"ray", "view", i});
+    r.sun = checked_unit(r.sun, {"ray", "sun", i});
     groups[Impl::datum_for(r.altitude)].push_back(i);
   }
   if (rays.empty() || wavelengths.empty()) return;
@@ -315,17 +325,16 @@ void Sky::evaluate(Quantity quantity, std::span<const Ray> rays, std::span<const
 
 void Sky::haze(double altitude, Direction sun, std::span<const Sight> points, std::span<const double> wavelengths, const AirShadows* shadows,
                std::span<double> inscatter, std::span<double> transmittance) const {
-  check_altitude(altitude, impl_->atmosphere.planet.ground_radius, "altitude");
-  const Direction to_sun = checked_unit(sun, "sun");
+  check_altitude(altitude, impl_->atmosphere.planet.ground_radius, {nullptr, "altitude"});
+  const Direction to_sun = checked_unit(sun, {nullptr, "sun"});
   const std::size_t expected = points.size() * wavelengths.size();
   check(inscatter.size() == expected, "size of inscatter", double(inscatter.size()), "points times wavelengths");
   check(transmittance.size() == expected, "size of transmittance", double(transmittance.size()), "points times wavelengths");
   std::vector<Sight> checked(points.begin(), points.end());
   for (std::size_t i = 0; i < checked.size(); ++i) {
-    const std::string name = "point " + std::to_string(i) + ": ";
-    check(checked[i].distance >= 0, name + "distance", checked[i].distance, "at least 0 m");
-    check(checked[i].offset >= 0 && checked[i].offset < 1, name + "offset", checked[i].offset, "0 .. 1");
-    checked[i].view = checked_unit(checked[i].view, name + "view");
+    check(checked[i].distance >= 0, {"point", "distance", i}, checked[i].distance, "at least 0 m");
+    check(checked[i].offset >= 0 && checked[i].offset < 1, {"point", "offset", i}, checked[i].offset, "0 .. 1");
+    checked[i].view = checked_unit(checked[i].view, {"point", "view", i});
   }
   if (shadows) check_shadows(*shadows);
   if (points.empty() || wavelengths.empty()) return;
@@ -341,13 +350,12 @@ void Sky::surface(std::span<const SurfacePoint> points, double sun_zenith_cosine
   check(skylight.empty() || skylight.size() == expected, "size of skylight", double(skylight.size()), "points times wavelengths, or 0");
   for (std::size_t i = 0; i < points.size(); ++i) {
     const SurfacePoint& p = points[i];
-    const std::string name = "point " + std::to_string(i) + ": ";
-    check_altitude(p.altitude, impl_->atmosphere.planet.ground_radius, name + "altitude");
-    checked_unit(p.normal, name + "normal");
-    check(std::abs(p.sun_zenith_cosine) <= 1, name + "sun_zenith_cosine", p.sun_zenith_cosine, "-1 .. 1");
-    check(std::abs(p.sun_cosine) <= 1, name + "sun_cosine", p.sun_cosine, "-1 .. 1");
-    check(p.sun_visibility >= 0 && p.sun_visibility <= 1, name + "sun_visibility", p.sun_visibility, "0 .. 1");
-    check(p.sky_view >= 0 && p.sky_view <= 1, name + "sky_view", p.sky_view, "0 .. 1");
+    check_altitude(p.altitude, impl_->atmosphere.planet.ground_radius, {"point", "altitude", i});
+    checked_unit(p.normal, {"point", "normal", i});
+    check(std::abs(p.sun_zenith_cosine) <= 1, {"point", "sun_zenith_cosine", i}, p.sun_zenith_cosine, "-1 .. 1");
+    check(std::abs(p.sun_cosine) <= 1, {"point", "sun_cosine", i}, p.sun_cosine, "-1 .. 1");
+    check(p.sun_visibility >= 0 && p.sun_visibility <= 1, {"point", "sun_visibility", i}, p.sun_visibility, "0 .. 1");
+    check(p.sky_view >= 0 && p.sky_view <= 1, {"point", "sky_view", i}, p.sky_view, "0 .. 1");
   }
   for (const double a : albedo) check(a >= 0 && a <= 1, "albedo", a, "0 .. 1");
   if (!points.empty() && !wavelengths.empty()) impl_->surface(points, sun_zenith_cosine, wavelengths, albedo, radiance, skylight);
@@ -357,8 +365,8 @@ bool Sky::render(const Camera& camera, Direction sun, const PictureOptions& opti
                  const std::function<bool(int, int, std::span<const float>)>& strip) const {
   check(camera.width >= 1 && camera.width <= 65536, "picture width", camera.width, "1 .. 65536");
   check(camera.height >= 1 && camera.height <= 65536, "picture height", camera.height, "1 .. 65536");
-  check_altitude(camera.altitude, impl_->atmosphere.planet.ground_radius, "altitude");
-  const Direction to_sun = checked_unit(sun, "sun");
+  check_altitude(camera.altitude, impl_->atmosphere.planet.ground_radius, {nullptr, "altitude"});
+  const Direction to_sun = checked_unit(sun, {nullptr, "sun"});
   std::vector<double> wavelengths = options.wavelengths;
   if (wavelengths.empty()) wavelengths.assign(realtime_quad.begin(), realtime_quad.end());
   if (wavelengths.size() % 4) throw InputError("a picture of " + std::to_string(wavelengths.size()) + " wavelengths: expected a multiple of four");

@@ -1,0 +1,64 @@
+// A picture of land in air: Embree says what is seen, `Sky` what light it reflects and what the air does to it on the way.
+#pragma once
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "airlight/sky.h"
+#include "scene/shadow_map.h"
+#include "scene/surface_colour.h"
+#include "scene/terrain.h"
+
+namespace airlight {
+
+/// Who looks at which land, in which light.
+struct SceneView {
+  Camera camera;    ///< its altitude is not used: `eye` says
+  GroundPoint eye;  ///< above the land
+  Direction sun{0, 0, 1};  ///< unit, towards the Sun's centre, in the scene's frame
+};
+
+struct SceneOptions {
+  int samples = 1;           ///< a pixel, a square number to 256; the Sun's disc and shadows soften with it
+  bool air_shadows = true;   ///< land casts shadows into the air
+  bool sun_disc = true;
+  double triangle_pixels = 1.5;  ///< wanted side of a triangle
+  ShadowGrid shadow_grid;    ///< centred on the eye; its middle is not used
+  int shadow_steps = 64;     ///< points on a view ray where shadows are looked for
+};
+
+/// Layers of consecutive rows [begin, end): pixel after pixel. Radiance as linear sRGB [cd/m^2].
+struct SceneRows {
+  int begin = 0, end = 0;
+  std::vector<float> rgb;            ///< 3: what the eye sees
+  std::vector<float> surface;        ///< 3: what leaves the ground, or the Sun's disc, towards the eye
+  std::vector<float> transmittance;  ///< 3: (rgb - inscatter) / surface; without surface, of the air at the three primaries' mean
+  std::vector<float> inscatter;      ///< 3: what the air adds
+  std::vector<float> depth;          ///< 1: distance [m]; infinite: the sky
+  std::vector<float> position;       ///< 3: in the scene's frame [m]; sky: 0
+  std::vector<float> normal;         ///< 3: smooth, in the scene's frame; sky: 0
+  std::vector<float> albedo;         ///< 3: linear sRGB of a white-lit surface
+  std::vector<float> sun_visibility;  ///< 1: part of the disc that land leaves visible; sky: 0
+  std::vector<float> sky_irradiance;  ///< 3: on the surface, photometric, linear sRGB [lx]
+};
+
+class SceneRenderer {
+ public:
+  /// @throws InputError for an eye in the ground, and all that Sky and Terrain refuse.
+  SceneRenderer(const Sky& sky, std::shared_ptr<const Land> land, const SurfaceSettings& surface, const SceneView& view,
+                const SceneOptions& options);
+  ~SceneRenderer();
+
+  const Terrain& terrain() const;
+
+  /// @param rows  called with strips from top to bottom, from the calling thread; false stops
+  /// @returns     false when stopped
+  bool render(const std::function<bool(const SceneRows&)>& rows) const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace airlight
