@@ -38,12 +38,17 @@ class Engine {
 
   /// A table from RGBA values; equal contents share one table.
   Table upload(Shape shape, std::span<const double> rgba);
+  /// A table for one use, such as a batch of questions: not kept, and not compared with what is.
+  Table lend(Shape shape, std::span<const double> rgba);
 
   /// Runs a pass over the whole shape, or takes the kept result.
   /// @param parameters  the pass's parameter blocks one after the other, in the order of its signature
   /// @param inputs      its tables, in the order of its signature
   /// @returns           its outputs, the return value first
   std::vector<Table> run(const PassInfo& pass, std::span<const double> parameters, std::span<const Table> inputs, Shape shape);
+
+  /// Runs a pass whose result nobody will ask for again: it is not kept.
+  std::vector<Table> run_once(const PassInfo& pass, std::span<const double> parameters, std::span<const Table> inputs, Shape shape);
 
   /// Runs a pass over rows [begin, end) of a picture and writes RGBA floats; nothing is kept.
   /// @param rgba  (end - begin) * width * 4 values

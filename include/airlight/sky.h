@@ -56,7 +56,7 @@ struct SurfacePoint {
 /// Shadows that land casts into the air: a map over it, for one direction of the Sun. Outside the map all is lit.
 struct AirShadows {
   int width = 0, height = 0;
-  std::vector<float> edges;  ///< for each cell, rows of u first: altitude [m] below which the Sun's disc is hidden, and above which it is whole
+  std::shared_ptr<const std::vector<float>> edges;  ///< for each cell, rows of u first: altitude [m] below which the Sun's disc is hidden, and above which it is whole
   std::array<double, 4> across{}, along{};  ///< map coordinate u (v) of a point p [m], in the observer's frame: across[0..2] . p + across[3]; 0 and 1 at the map's edges
   double highest = 0;  ///< altitude [m] above which all is lit
   int steps = 64;      ///< points on a ray, 1 to 1024

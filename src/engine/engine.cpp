@@ -67,6 +67,11 @@ Table Engine::upload(Shape shape, std::span<const double> rgba) {
   return table;
 }
 
+Table Engine::lend(Shape shape, std::span<const double> rgba) {
+  assert(rgba.size() == 4 * shape.texels());
+  return {shape, ++clock_, make_table(shape, rgba)};
+}
+
 void Engine::keep(std::uint64_t key, std::vector<Table> tables) {
   for (const Table& t : tables) kept_texels_ += t.shape.texels();
   while (kept_texels_ > kept_limit && !kept_.empty()) {
@@ -99,6 +104,13 @@ std::vector<Table> Engine::run(const PassInfo& pass, std::span<const double> par
   if (count == runs_.end()) runs_.emplace(pass.name, 1);
   else ++count->second;
   keep(hash.value(), tables);
+  return tables;
+}
+
+std::vector<Table> Engine::run_once(const PassInfo& pass, std::span<const double> parameters, std::span<const Table> inputs, Shape shape) {
+  assert(inputs.size() == pass.tables.size());
+  std::vector<Table> tables;
+  for (auto& storage : run_pass(pass, parameters, inputs, shape)) tables.push_back({shape, ++clock_, std::move(storage)});
   return tables;
 }
 

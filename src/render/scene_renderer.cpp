@@ -46,7 +46,10 @@ AirShadows air_shadows(const ShadowMap& map, const EyeFrame& frame, const Positi
   shadows.width = shadows.height = map.cells;
   shadows.steps = steps;
   shadows.highest = *std::ranges::max_element(map.lit);
-  for (std::size_t i = 0; i < map.lit.size(); ++i) shadows.edges.insert(shadows.edges.end(), {map.dark[i], map.lit[i]});
+  std::vector<float> edges;
+  edges.reserve(2 * map.lit.size());
+  for (std::size_t i = 0; i < map.lit.size(); ++i) edges.insert(edges.end(), {map.dark[i], map.lit[i]});
+  shadows.edges = std::make_shared<const std::vector<float>>(std::move(edges));
   const double size = map.spacing * map.cells;
   const Direction* const axes[] = {&frame.east, &frame.north, &frame.up};
   const std::array<double, 2> origin = map.texel(eye);
@@ -342,7 +345,7 @@ const Terrain& SceneRenderer::terrain() const { return impl_->terrain; }
 
 bool SceneRenderer::render(const std::function<bool(const SceneRows&)>& rows) const {
   const Camera& camera = impl_->view.camera;
-  constexpr int samples_at_once = 1 << 17;
+  constexpr int samples_at_once = 1 << 15;  // few enough that their arrays stay in the cache and are used again, many for all cores
   const int step = std::max(1, samples_at_once / (camera.width * impl_->options.samples));
   for (int begin = 0; begin < camera.height; begin += step) {
     const int end = std::min(begin + step, camera.height);

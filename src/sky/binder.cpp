@@ -46,4 +46,9 @@ std::vector<Table> Binder::run(std::string_view name, Shape shape) const {
   return engine_.run(pass, parameters(pass, shape), inputs(pass), shape);
 }
 
+std::vector<Table> Binder::run_once(std::string_view name, Shape shape) const {
+  const PassInfo& pass = kernel_pass(name);
+  return engine_.run_once(pass, parameters(pass, shape), inputs(pass), shape);
+}
+
 }  // namespace airlight

@@ -27,6 +27,8 @@ class Binder {
 
   /// Runs a pass; the result is kept by the engine.
   std::vector<Table> run(std::string_view pass, Shape shape) const;
+  /// Runs a pass over questions that will not be asked again.
+  std::vector<Table> run_once(std::string_view pass, Shape shape) const;
 
  private:
   Table table(std::string_view argument, const PassInfo& reader) const;

@@ -75,8 +75,9 @@ void check_shadows(const AirShadows& shadows) {
   check(shadows.height >= 2 && shadows.height <= 16384, "height of the shadow map", shadows.height, "2 .. 16384");
   check(shadows.steps >= 1 && shadows.steps <= 1024, "steps of the shadow map", shadows.steps, "1 .. 1024");
   const double expected = 2.0 * shadows.width * shadows.height;
-  check(double(shadows.edges.size()) == expected, "values of the shadow map", double(shadows.edges.size()), "two for each cell");
-  for (const float edge : shadows.edges) check(std::isfinite(edge), "an altitude of the shadow map", edge, "a finite number of metres");
+  const std::size_t given = shadows.edges ? shadows.edges->size() : 0;
+  check(double(given) == expected, "values of the shadow map", double(given), "two for each cell");
+  for (const float edge : *shadows.edges) check(std::isfinite(edge), "an altitude of the shadow map", edge, "a finite number of metres");
 }
 
 // Four wavelengths from the w-th on; the last stands for those that are missing.
@@ -168,6 +169,21 @@ struct Sky::Impl {
     }
   }
 
+  // The map of shadows as a table. A picture is asked for in many parts, with one map: it is looked at once.
+  struct Cast {
+    std::shared_ptr<const std::vector<float>> edges;
+    double datum = 0;
+    Table table;
+  } last_cast;
+  const Table& cast(const AirShadows& shadows, double datum) {
+    if (shadows.edges && shadows.edges == last_cast.edges && datum == last_cast.datum) return last_cast.table;
+    check_shadows(shadows);
+    std::vector<double> texels(2 * shadows.edges->size());
+    for (std::size_t i = 0; 4 * i < texels.size(); ++i) set_texel(texels, i, (*shadows.edges)[2 * i] - datum, (*shadows.edges)[2 * i + 1] - datum, 0, 0);
+    last_cast = {shadows.edges, datum, engine->lend({shadows.width, shadows.height, 1}, texels)};
+    return last_cast.table;
+  }
+
   void haze(double altitude, const Direction& sun, std::span<const Sight> points, std::span<const double> wavelengths, const AirShadows* shadows,
             std::span<double> inscatter, std::span<double> transmittance) {
     const Situation s = situation(altitude, datum_for(altitude));
@@ -185,23 +201,20 @@ struct Sky::Impl {
       set_texel(sights, i, p.view[0], p.view[1], p.view[2], std::min(p.distance, 1e15));
       set_texel(offsets, i, p.offset, 0, 0, 0);
     }
-    const Table sight_table = engine->upload(shape, sights), offset_table = engine->upload(shape, offsets);
-    const AirShadows none{2, 2, std::vector<float>(8, 0.0f), {}, {}, -1, 1};
-    const AirShadows& cast = shadows ? *shadows : none;
+    const Table sight_table = engine->lend(shape, sights), offset_table = engine->lend(shape, offsets);
     const double datum = datum_for(altitude);
-    std::vector<double> edges(2 * cast.edges.size());
-    for (std::size_t i = 0; 2 * i < cast.edges.size(); ++i) set_texel(edges, i, cast.edges[2 * i] - datum, cast.edges[2 * i + 1] - datum, 0, 0);
-    const Table shadow_map = engine->upload({cast.width, cast.height, 1}, edges);
+    const Table shadow_map = shadows ? cast(*shadows, datum) : engine->upload({2, 2, 1}, std::vector<double>(16, 0.0));
+    const AirShadows map = shadows ? *shadows : AirShadows{};
     std::vector<double> texels(4 * shape.texels());
     for (std::size_t w = 0; w < wavelengths.size(); w += 4) {
       Binder b = binder(*model, quad_at(wavelengths, w), altitude);
       b.set("observer", observer_fields(sun, s.altitude));
-      b.set("shadow", Fields{{"across", {cast.across.begin(), cast.across.end()}}, {"along", {cast.along.begin(), cast.along.end()}},
-                             {"highest", {shadows ? cast.highest - datum : -1}}, {"steps", {double(cast.steps)}}});
+      b.set("shadow", Fields{{"across", {map.across.begin(), map.across.end()}}, {"along", {map.along.begin(), map.along.end()}},
+                             {"highest", {shadows ? map.highest - datum : -1}}, {"steps", {double(map.steps)}}});
       b.set("shadow_map", shadow_map);
       b.set("points", sight_table);
       b.set("offsets", offset_table);
-      const std::vector<Table> answers = b.run(pass, shape);
+      const std::vector<Table> answers = b.run_once(pass, shape);
       for (const std::span<double> out : {inscatter, transmittance}) {
         engine->read(answers[out.data() == inscatter.data() ? 0 : 1], texels);
         for (std::size_t i = 0; i < points.size(); ++i) {
@@ -221,7 +234,7 @@ struct Sky::Impl {
       set_texel(places, i, p.altitude, p.sun_zenith_cosine, p.sun_visibility, p.sky_view);
       set_texel(normals, i, p.normal[0], p.normal[1], p.normal[2], p.sun_cosine);
     }
-    const Table place_table = engine->upload(shape, places), normal_table = engine->upload(shape, normals);
+    const Table place_table = engine->lend(shape, places), normal_table = engine->lend(shape, normals);
 
     // The sky is known for a few altitudes, dense near the ground as the kernel has it, and a few Suns.
     constexpr int azimuths = 12, tilts = 13, altitudes = 12, suns = 5;
@@ -249,8 +262,8 @@ struct Sky::Impl {
       }
       b.set("places", place_table);
       b.set("normals", normal_table);
-      b.set("albedos", engine->upload(shape, colours));
-      const std::vector<Table> answers = b.run("core.surface", shape);
+      b.set("albedos", engine->lend(shape, colours));
+      const std::vector<Table> answers = b.run_once("core.surface", shape);
       for (const auto& [table, out] : {std::pair{answers[0], radiance}, std::pair{answers[1], skylight}}) {
         if (out.empty()) continue;
         engine->read(table, texels);
@@ -336,7 +349,6 @@ void Sky::haze(double altitude, Direction sun, std::span<const Sight> points, st
     check(checked[i].offset >= 0 && checked[i].offset < 1, {"point", "offset", i}, checked[i].offset, "0 .. 1");
     checked[i].view = checked_unit(checked[i].view, {"point", "view", i});
   }
-  if (shadows) check_shadows(*shadows);
   if (points.empty() || wavelengths.empty()) return;
   impl_->haze(altitude, to_sun, checked, wavelengths, shadows, inscatter, transmittance);
 }

@@ -96,7 +96,8 @@ TEST_P(Passes, answers_and_pictures_are_those_of_double) {
       // Aerial perspective, half of the map in shadow below 3 km: every pass with three coordinates, and the shadow's march.
       std::vector<Sight> points;
       for (const Ray& r : rays) points.push_back({r.view, r.distance, 0.25});
-      const AirShadows shadows{2, 2, {-9000, -8999, 3000, 3100, -9000, -8999, 3000, 3100}, {1e-6, 0, 0, 0.5}, {0, 1e-6, 0, 0.5}, 3100, 16};
+      const std::vector<float> edges{-9000, -8999, 3000, 3100, -9000, -8999, 3000, 3100};
+      const AirShadows shadows{2, 2, std::make_shared<const std::vector<float>>(edges), {1e-6, 0, 0, 0.5}, {0, 1e-6, 0, 0.5}, 3100, 16};
       std::vector<double> light(points.size() * 4), through(light.size()), expected_light(light.size()), expected_through(light.size());
       truth.haze(500, direction(1, 0.1), points, wavelengths, &shadows, expected_light, expected_through);
       sky.haze(500, direction(1, 0.1), points, wavelengths, &shadows, light, through);

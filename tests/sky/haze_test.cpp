@@ -77,8 +77,9 @@ TEST(haze, the_tables_agree_with_marched_rays) {
 
 // One cell is as good as many: shadow everywhere, or nowhere.
 AirShadows everywhere(float dark_below) {
-  return {2, 2, {dark_below, dark_below + 1, dark_below, dark_below + 1, dark_below, dark_below + 1, dark_below, dark_below + 1},
-          {1e-7, 0, 0, 0.5}, {0, 1e-7, 0, 0.5}, dark_below + 1.0, 64};
+  std::vector<float> edges;
+  for (int i = 0; i < 4; ++i) edges.insert(edges.end(), {dark_below, dark_below + 1});
+  return {2, 2, std::make_shared<const std::vector<float>>(edges), {1e-7, 0, 0, 0.5}, {0, 1e-7, 0, 0.5}, dark_below + 1.0, 64};
 }
 
 TEST(haze, shadows_that_reach_nothing_change_nothing) {
@@ -116,13 +117,14 @@ TEST(haze, a_shadow_over_half_of_a_ray_takes_that_half) {
   const Sky sky(air, "skyview");
   const Direction sun = direction(90 * deg, 30 * deg);
   // The map: dark beyond 10 km to the east, over 400 cells of 100 m; the edge is a cell wide.
-  AirShadows wall{400, 2, {}, {1.0 / 40000, 0, 0, 0.5}, {0, 1e-6, 0, 0.5}, 5000, 64};
+  std::vector<float> edges;
   for (int row = 0; row < 2; ++row) {
     for (int i = 0; i < 400; ++i) {
       const float edge = (i + 0.5) * 100 - 20000 > 10000 ? 4000.0f : -1000.0f;
-      wall.edges.insert(wall.edges.end(), {edge, edge + 1});
+      edges.insert(edges.end(), {edge, edge + 1});
     }
   }
+  const AirShadows wall{400, 2, std::make_shared<const std::vector<float>>(edges), {1.0 / 40000, 0, 0, 0.5}, {0, 1e-6, 0, 0.5}, 5000, 64};
   const std::vector<Sight> near{{direction(90 * deg, 0), 10000, 0.5}}, far{{direction(90 * deg, 0), 20000, 0.5}};
   const Haze lit = haze(sky, 500, sun, near), whole = haze(sky, 500, sun, far), shaded = haze(sky, 500, sun, far, &wall);
   AirShadows all = everywhere(40000);
@@ -156,9 +158,14 @@ TEST(haze, bad_questions_are_named) {
   EXPECT_THROW(haze(sky, 2, sun, aside), InputError);
   AirShadows map = everywhere(0);
   EXPECT_THROW(haze(once, 2, sun, good, &map), InputError);
-  map.edges[3] = NAN;
+  std::vector<float> edges = *map.edges;
+  edges[3] = NAN;
+  map.edges = std::make_shared<const std::vector<float>>(edges);
   EXPECT_THROW(haze(sky, 2, sun, good, &map), InputError);
-  map.edges.pop_back();
+  edges.pop_back();
+  map.edges = std::make_shared<const std::vector<float>>(edges);
+  EXPECT_THROW(haze(sky, 2, sun, good, &map), InputError);
+  map.edges = nullptr;
   EXPECT_THROW(haze(sky, 2, sun, good, &map), InputError);
 }
 
