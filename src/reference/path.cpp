@@ -16,6 +16,8 @@ Direction normalised(const Direction& d) {
 }
 double dot(const Direction& a, const Direction& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
+}  // namespace
+
 void check(const Ray& ray, double planet_radius) {
   const auto refuse = [](const std::string& key, double value, const std::string& range) {
     throw InputError("ray: " + key + " is " + std::to_string(value) + "; legal: " + range);
@@ -29,8 +31,6 @@ void check(const Ray& ray, double planet_radius) {
     if (!std::isfinite(length) || length == 0) refuse(std::string("length of ") + key, length, "finite, above 0");
   }
 }
-
-}  // namespace
 
 Path::Path(const Ray& ray, const Air& air) : view_(normalised(ray.view)), sun_(normalised(ray.sun)) {
   check(ray, air.planet_radius());

@@ -8,6 +8,9 @@
 
 namespace airlight::reference {
 
+/// @throws InputError naming the number of the ray that is out of its range.
+void check(const Ray& ray, double planet_radius);
+
 /// A point of the ray as sunlight sees it.
 struct Illuminated {
   double radius;         ///< [m] from the planet's centre

@@ -1,0 +1,153 @@
+#include "reference/flight.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "reference/phase.h"
+
+namespace airlight::reference {
+namespace {
+
+/// 1 - exp(-depth), quickly where depth is small, as in most pieces.
+double met_share(double depth) {
+  if (depth > 0.03) return -std::expm1(-depth);
+  return depth * (1 - depth / 2 * (1 - depth / 3 * (1 - depth / 4 * (1 - depth / 5))));
+}
+
+double sum(std::span<const double> hero_coefficients, std::size_t heroes, std::size_t hero,
+           std::span<const double> of) {
+  double total = 0;
+  for (std::size_t c = 0; c < of.size(); ++c) total += hero_coefficients[c * heroes + hero] * of[c];
+  return total;
+}
+
+}  // namespace
+
+void Flight::aim(const Layers& layers, const Optics& optics, const Guide& guide, const Place& from, const Vector& sun,
+                 double ground_radius, double distance, bool scattered_only, bool count_ground) {
+  layers.trace(from.position, from.direction, ground_radius, distance, line_);
+  const std::size_t pieces = line_.layers.size(), heroes = optics.heroes, count = optics.constituents;
+  stride_ = pieces + 2;
+  light_.assign(heroes, 0.0);
+  for (auto* const table : {&analog_, &depths_, &guide_, &sums_}) table->assign(heroes * stride_, 0.0);
+
+  // Sunlight comes from one direction: the flight tells the angle by which all its places scatter it.
+  phases_.resize(count);
+  for (std::size_t c = 0; c < count; ++c)
+    phases_[c] = 4 * std::numbers::pi * phase(optics.phases[c], one_minus_cos(from.direction, sun));
+  const double sun_height = dot(from.position, sun), sun_slope = dot(from.direction, sun);
+  const auto sun_cosine = [&](double t, double radius_squared) {
+    return (sun_height + (t - line_.start) * sun_slope) / std::sqrt(radius_squared);
+  };
+  std::array<double, Optics::most_heroes> transmittance;
+  transmittance.fill(1.0);
+  double all_guided = 0, all_analog = 0;
+  const auto add = [&](std::size_t place, double probability, double light) {
+    analog_[place] = probability;
+    guide_[place] = light;
+    all_analog += probability;
+    all_guided += probability * light;
+  };
+  for (std::size_t k = 0; k < pieces; ++k) {
+    const double t = 0.5 * (line_.borders[k] + line_.borders[k + 1]), radius_squared = line_.impact_squared + t * t;
+    const Guide::Light light = guide.air(radius_squared, sun_cosine(t, radius_squared));
+    const double* const column = &line_.columns[k * count];
+    for (std::size_t g = 0; g < heroes; ++g) {
+      double extinction = 0, scattering = 0, towards_sun = 0;
+      for (std::size_t c = 0; c < count; ++c) {
+        const double inside = column[c + count] - column[c], part = optics.hero_scattering[c * heroes + g] * inside;
+        extinction += optics.hero_extinction[c * heroes + g] * inside;
+        scattering += part;
+        towards_sun += part * phases_[c];
+      }
+      if (extinction <= 0) continue;
+      depths_[g * stride_ + k] = extinction;
+      const double met = transmittance[g] * met_share(extinction);
+      transmittance[g] -= met;
+      if (scattering > 0)
+        add(g * stride_ + k, met * scattering / extinction,
+            light.scattered + (scattered_only ? 0 : (light.all - light.scattered) * towards_sun / scattering));
+    }
+  }
+  if (line_.meets_ground && count_ground && optics.hero_albedo[0] > 0) {
+    const Guide::Light light = guide.ground(sun_cosine(line_.borders.back(), ground_radius * ground_radius));
+    for (std::size_t g = 0; g < heroes; ++g)
+      add(g * stride_ + pieces, transmittance[g], scattered_only ? light.scattered : light.all);
+  }
+  if (all_analog <= 0) return;
+  // A tenth of all walks goes where air scatters, whatever the guide says: no weight is more than ten times too large.
+  const double unguided = all_guided > 0 ? 0.1 * all_guided / all_analog : 1;
+  for (std::size_t g = 0; g < heroes; ++g) {
+    double& sum = light_[g];
+    for (std::size_t i = g * stride_; i <= g * stride_ + pieces; ++i) {
+      guide_[i] += unguided;
+      sum += analog_[i] * guide_[i];
+      sums_[i + 1] = sum;
+    }
+  }
+}
+
+/// Where a hero's optical depth from the piece's begin has a value: Newton's method, kept between bounds.
+void Flight::find(const Layers& layers, const Optics& optics, std::size_t hero, std::size_t piece, double depth,
+                  Event& event) const {
+  const std::size_t count = optics.constituents;
+  const double begin = line_.borders[piece], thickness = line_.borders[piece + 1] - begin;
+  double low = begin, high = begin + thickness;
+  event.columns.resize(count);
+  event.densities.resize(count);
+  event.t = begin + thickness * std::min(depth / depths_[hero * stride_ + piece], 1.0);
+  constexpr int most = 60;
+  for (int step = 0; step < most; ++step) {
+    std::fill(event.columns.begin(), event.columns.end(), 0.0);
+    layers.add_columns(line_.layers[piece], line_.impact_squared, begin, event.t, event.columns);
+    layers.densities(line_.layers[piece], line_.impact_squared + event.t * event.t, event.densities);
+    const double missing = depth - sum(optics.hero_extinction, optics.heroes, hero, event.columns);
+    const double extinction = sum(optics.hero_extinction, optics.heroes, hero, event.densities);
+    (missing > 0 ? low : high) = event.t;
+    double next = event.t + missing / extinction;
+    if (std::abs(next - event.t) <= 1e-9 * thickness) break;
+    if (!(next >= low && next <= high)) next = 0.5 * (low + high);
+    event.t = next;
+  }
+  for (std::size_t c = 0; c < count; ++c) event.columns[c] += line_.columns[piece * count + c];
+}
+
+bool Flight::draw(const Layers& layers, const Optics& optics, std::span<const double> weights, double first,
+                  double second, Event& event) const {
+  double whole = 0;
+  for (std::size_t g = 0; g < light_.size(); ++g) whole += weights[g] * light_[g];
+  if (!(whole > 0)) return false;
+  std::size_t hero = 0;
+  for (double left = first * whole; hero + 1 < light_.size(); ++hero)
+    if ((left -= weights[hero] * light_[hero]) < 0) break;
+  if (light_[hero] <= 0) return false;
+  const auto row = sums_.begin() + hero * stride_;
+  const double target = second * light_[hero];
+  const std::size_t pieces = stride_ - 2, count = optics.constituents;
+  const std::size_t k = std::min<std::size_t>(std::upper_bound(row, row + stride_, target) - row - 1, pieces);
+  event.ground = k == pieces;
+  event.density = 0;
+  if (event.ground) {
+    event.t = line_.borders.back();
+    event.columns.assign(line_.columns.begin() + k * count, line_.columns.end());
+    for (std::size_t g = 0; g < light_.size(); ++g)
+      event.density += weights[g] * analog_[g * stride_ + k] * guide_[g * stride_ + k] / whole;
+    return event.density > 0;
+  }
+  const double share = std::clamp((target - row[k]) / (row[k + 1] - row[k]), 0.0, 1.0);
+  find(layers, optics, hero, k, -std::log1p(-share * met_share(depths_[hero * stride_ + k])), event);
+  for (std::size_t g = 0; g < light_.size(); ++g) {
+    const double depth = depths_[g * stride_ + k];
+    if (!(depth > 0)) continue;
+    const double before =
+        sum(optics.hero_extinction, light_.size(), g, std::span(line_.columns).subspan(k * count, count));
+    const double inside = sum(optics.hero_extinction, light_.size(), g, event.columns) - before;
+    event.density += weights[g] * guide_[g * stride_ + k] / whole * analog_[g * stride_ + k] * std::exp(-inside) /
+                     met_share(depth) * sum(optics.hero_extinction, light_.size(), g, event.densities);
+  }
+  return event.density > 0;
+}
+
+}  // namespace airlight::reference
