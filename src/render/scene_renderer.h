@@ -14,31 +14,32 @@ namespace airlight {
 
 /// Who looks at which land, in which light.
 struct SceneView {
-  Camera camera;    ///< its altitude is not used: `eye` says
-  GroundPoint eye;  ///< above the land
+  Camera camera;           ///< its altitude is not used: `eye` says
+  GroundPoint eye;         ///< above the land
   Direction sun{0, 0, 1};  ///< unit, towards the Sun's centre, in the scene's frame
 };
 
 struct SceneOptions {
-  int samples = 1;           ///< a pixel, a square number to 256; the Sun's disc and shadows soften with it
-  bool air_shadows = true;   ///< land casts shadows into the air
+  int samples = 1;          ///< a pixel, a square number to 256; the Sun's disc and shadows soften with it
+  bool air_shadows = true;  ///< land casts shadows into the air
   bool sun_disc = true;
   double triangle_pixels = 1.5;  ///< wanted side of a triangle
-  ShadowGrid shadow_grid;    ///< centred on the eye; its middle is not used
-  int shadow_steps = 64;     ///< points on a view ray where shadows are looked for
+  ShadowGrid shadow_grid;        ///< centred on the eye; its middle is not used
+  int shadow_steps = 64;         ///< points on a view ray where shadows are looked for
 };
 
 /// Layers of consecutive rows [begin, end): pixel after pixel. Radiance as linear sRGB [cd/m^2].
 struct SceneRows {
   int begin = 0, end = 0;
-  std::vector<float> rgb;            ///< 3: what the eye sees
-  std::vector<float> surface;        ///< 3: what leaves the ground, or the Sun's disc, towards the eye
-  std::vector<float> transmittance;  ///< 3: (rgb - inscatter) / surface; without surface, of the air at the three primaries' mean
-  std::vector<float> inscatter;      ///< 3: what the air adds
-  std::vector<float> depth;          ///< 1: distance [m]; infinite: the sky
-  std::vector<float> position;       ///< 3: in the scene's frame [m]; sky: 0
-  std::vector<float> normal;         ///< 3: smooth, in the scene's frame; sky: 0
-  std::vector<float> albedo;         ///< 3: linear sRGB of a white-lit surface
+  std::vector<float> rgb;      ///< 3: what the eye sees
+  std::vector<float> surface;  ///< 3: what leaves the ground, or the Sun's disc, towards the eye
+  std::vector<float>
+      transmittance;  ///< 3: (rgb - inscatter) / surface; without surface, of the air at the three primaries' mean
+  std::vector<float> inscatter;       ///< 3: what the air adds
+  std::vector<float> depth;           ///< 1: distance [m]; infinite: the sky
+  std::vector<float> position;        ///< 3: in the scene's frame [m]; sky: 0
+  std::vector<float> normal;          ///< 3: smooth, in the scene's frame; sky: 0
+  std::vector<float> albedo;          ///< 3: linear sRGB of a white-lit surface
   std::vector<float> sun_visibility;  ///< 1: part of the disc that land leaves visible; sky: 0
   std::vector<float> sky_irradiance;  ///< 3: on the surface, photometric, linear sRGB [lx]
 };
@@ -51,6 +52,16 @@ class SceneRenderer {
   ~SceneRenderer();
 
   const Terrain& terrain() const;
+
+  /// What one line of sight brings, spectrally, at the four wavelengths of real time.
+  struct Answer {
+    Direction view, sun, view_in_scene;                       ///< view and sun in the eye's own frame; unit
+    double distance;                                          ///< [m]; infinite: the sky
+    std::array<double, 4> inscatter, transmittance, surface;  ///< radiances [W m^-2 sr^-1 nm^-1]
+  };
+  /// @param u, v  picture coordinates: (0, 0) top left, (1, 1) bottom right
+  /// @throws InputError outside a fisheye's circle
+  Answer at(double u, double v) const;
 
   /// @param rows  called with strips from top to bottom, from the calling thread; false stops
   /// @returns     false when stopped

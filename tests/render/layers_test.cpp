@@ -1,0 +1,98 @@
+// The layers of a picture fit together.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "airlight/error.h"
+#include "scenes.h"
+
+namespace airlight::test {
+namespace {
+
+SceneRows whole(const SceneRenderer& renderer) {
+  SceneRows all;
+  renderer.render([&](const SceneRows& r) {
+    all.end = r.end;
+    const auto add = [](std::vector<float>& to, const std::vector<float>& from) {
+      to.insert(to.end(), from.begin(), from.end());
+    };
+    add(all.rgb, r.rgb), add(all.surface, r.surface), add(all.transmittance, r.transmittance),
+        add(all.inscatter, r.inscatter);
+    add(all.depth, r.depth), add(all.position, r.position), add(all.normal, r.normal), add(all.albedo, r.albedo);
+    add(all.sun_visibility, r.sun_visibility), add(all.sky_irradiance, r.sky_irradiance);
+    return true;
+  });
+  return all;
+}
+
+class Layers : public testing::Test {
+ protected:
+  const Sky sky{built_in_atmosphere("earth"), "skyview"};
+  const std::shared_ptr<const Land> land = mountains();
+  const Direction sun = direction(100 * deg, 20 * deg);
+  const SceneView view = view_from(*land, 0, 0, 300, 30, 0, sun);
+};
+
+TEST_F(Layers, recombine_to_the_picture) {
+  for (const int samples : {1, 4}) {
+    SceneOptions options;
+    options.samples = samples;
+    const SceneRows rows = whole(SceneRenderer(sky, land, {}, view, options));
+    ASSERT_EQ(rows.end, view.camera.height);
+    int ground = 0;
+    for (std::size_t i = 0; i < rows.rgb.size(); ++i) {
+      const float rgb = rows.surface[i] * rows.transmittance[i] + rows.inscatter[i];
+      ASSERT_NEAR(rgb, rows.rgb[i], 1e-5 * std::abs(rows.rgb[i])) << i;
+      ASSERT_TRUE(std::isfinite(rows.transmittance[i]));
+      ground += rows.surface[i] > 0;
+    }
+    EXPECT_GT(ground, 500);
+  }
+}
+
+TEST_F(Layers, depth_position_and_normal_belong_together) {
+  const SceneRows rows = whole(SceneRenderer(sky, land, {}, view, {}));
+  const Position eye = land->frame().position(view.eye);
+  for (std::size_t p = 0; p < rows.depth.size(); ++p) {
+    if (!std::isfinite(rows.depth[p])) {
+      EXPECT_EQ(rows.albedo[3 * p], 0);
+      continue;
+    }
+    const float* at = &rows.position[3 * p];
+    const double distance = std::hypot(double(at[0]) - eye[0], double(at[1]) - eye[1], double(at[2]) - eye[2]);
+    ASSERT_NEAR(distance, rows.depth[p], 0.01 + 1e-5 * distance);  // positions are floats
+    const float* n = &rows.normal[3 * p];
+    ASSERT_NEAR(std::hypot(double(n[0]), double(n[1]), double(n[2])), 1, 1e-4);
+    for (std::size_t c = 0; c < 3; ++c) {
+      ASSERT_GT(rows.albedo[3 * p + c], 0);
+      ASSERT_LT(rows.albedo[3 * p + c], 1.2);  // a colour, not a spectrum, may leave 0 .. 1 a little
+    }
+  }
+}
+
+TEST_F(Layers, more_samples_give_the_same_picture_smoother) {
+  const SceneRows one = whole(SceneRenderer(sky, land, {}, view, {}));
+  SceneOptions options;
+  options.samples = 16;
+  const SceneRows many = whole(SceneRenderer(sky, land, {}, view, options));
+  double a = 0, b = 0;
+  for (std::size_t i = 0; i < one.rgb.size(); ++i) a += double(one.rgb[i]), b += double(many.rgb[i]);
+  EXPECT_NEAR(a / b, 1, 0.02);  // 1300 pixels, of which those on edges differ
+}
+
+TEST_F(Layers, an_eye_in_the_ground_is_refused_with_the_height_of_the_land) {
+  SceneView low = view;
+  low.eye.altitude -= 300;
+  try {
+    const SceneRenderer renderer(sky, land, {}, low, {});
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("the land there is"), std::string::npos) << error.what();
+  }
+  SceneOptions odd;
+  odd.samples = 3;
+  EXPECT_THROW(SceneRenderer(sky, land, {}, view, odd), InputError);
+}
+
+}  // namespace
+}  // namespace airlight::test
