@@ -28,7 +28,9 @@ double sum(std::span<const double> hero_coefficients, std::size_t heroes, std::s
 void Flight::aim(const Layers& layers, const Optics& optics, const Guide& guide, const Place& from, const Vector& sun,
                  double ground_radius, double distance, bool scattered_only, bool count_ground) {
   layers.trace(from.position, from.direction, ground_radius, distance, line_);
-  const std::size_t pieces = line_.layers.size(), heroes = optics.heroes, count = optics.constituents;
+  const std::size_t heroes = optics.heroes, count = optics.constituents;
+  group();
+  const std::size_t pieces = ends_.size() - 1;
   stride_ = pieces + 2;
   light_.assign(heroes, 0.0);
   for (auto* const table : {&analog_, &depths_, &guide_, &sums_}) table->assign(heroes * stride_, 0.0);
@@ -51,13 +53,15 @@ void Flight::aim(const Layers& layers, const Optics& optics, const Guide& guide,
     all_guided += probability * light;
   };
   for (std::size_t k = 0; k < pieces; ++k) {
-    const double t = 0.5 * (line_.borders[k] + line_.borders[k + 1]), radius_squared = line_.impact_squared + t * t;
+    const double t = 0.5 * (line_.borders[ends_[k]] + line_.borders[ends_[k + 1]]),
+                 radius_squared = line_.impact_squared + t * t;
     const Guide::Light light = guide.air(radius_squared, sun_cosine(t, radius_squared));
-    const double* const column = &line_.columns[k * count];
+    const double* const column = &line_.columns[ends_[k] * count];
+    const double* const next = &line_.columns[ends_[k + 1] * count];
     for (std::size_t g = 0; g < heroes; ++g) {
       double extinction = 0, scattering = 0, towards_sun = 0;
       for (std::size_t c = 0; c < count; ++c) {
-        const double inside = column[c + count] - column[c], part = optics.hero_scattering[c * heroes + g] * inside;
+        const double inside = next[c] - column[c], part = optics.hero_scattering[c * heroes + g] * inside;
         extinction += optics.hero_extinction[c * heroes + g] * inside;
         scattering += part;
         towards_sun += part * phases_[c];
@@ -89,21 +93,37 @@ void Flight::aim(const Layers& layers, const Optics& optics, const Guide& guide,
   }
 }
 
+/// Joins the line's short stretches: what the guide knows does not change from one to the next.
+void Flight::group() {
+  constexpr std::size_t together = 4;
+  ends_.assign(1, 0);
+  for (std::size_t i = together; i < line_.layers.size(); i += together) ends_.push_back(i);
+  if (!line_.layers.empty()) ends_.push_back(line_.layers.size());
+}
+
 /// Where a hero's optical depth from the piece's begin has a value: Newton's method, kept between bounds.
 void Flight::find(const Layers& layers, const Optics& optics, std::size_t hero, std::size_t piece, double depth,
                   Event& event) const {
   const std::size_t count = optics.constituents;
-  const double begin = line_.borders[piece], thickness = line_.borders[piece + 1] - begin;
+  const auto columns_at = [&](std::size_t border) { return std::span(line_.columns).subspan(border * count, count); };
+  const auto depth_at = [&](std::size_t border) {
+    return sum(optics.hero_extinction, optics.heroes, hero, columns_at(border));
+  };
+  const double target = depth_at(ends_[piece]) + depth;
+  std::size_t i = ends_[piece];
+  while (i + 1 < ends_[piece + 1] && depth_at(i + 1) < target) ++i;
+  const double begin = line_.borders[i], thickness = line_.borders[i + 1] - begin;
+  const double before = depth_at(i), whole = depth_at(i + 1) - before;
   double low = begin, high = begin + thickness;
   event.columns.resize(count);
   event.densities.resize(count);
-  event.t = begin + thickness * std::min(depth / depths_[hero * stride_ + piece], 1.0);
+  event.t = begin + thickness * (whole > 0 ? std::clamp((target - before) / whole, 0.0, 1.0) : 0.5);
   constexpr int most = 60;
   for (int step = 0; step < most; ++step) {
-    std::fill(event.columns.begin(), event.columns.end(), 0.0);
-    layers.add_columns(line_.layers[piece], line_.impact_squared, begin, event.t, event.columns);
-    layers.densities(line_.layers[piece], line_.impact_squared + event.t * event.t, event.densities);
-    const double missing = depth - sum(optics.hero_extinction, optics.heroes, hero, event.columns);
+    std::copy_n(columns_at(i).begin(), count, event.columns.begin());
+    layers.add_columns(line_.layers[i], line_.impact_squared, begin, event.t, event.columns);
+    layers.densities(line_.layers[i], line_.impact_squared + event.t * event.t, event.densities);
+    const double missing = target - sum(optics.hero_extinction, optics.heroes, hero, event.columns);
     const double extinction = sum(optics.hero_extinction, optics.heroes, hero, event.densities);
     (missing > 0 ? low : high) = event.t;
     double next = event.t + missing / extinction;
@@ -111,7 +131,6 @@ void Flight::find(const Layers& layers, const Optics& optics, std::size_t hero, 
     if (!(next >= low && next <= high)) next = 0.5 * (low + high);
     event.t = next;
   }
-  for (std::size_t c = 0; c < count; ++c) event.columns[c] += line_.columns[piece * count + c];
 }
 
 bool Flight::draw(const Layers& layers, const Optics& optics, std::span<const double> weights, double first,
@@ -131,7 +150,7 @@ bool Flight::draw(const Layers& layers, const Optics& optics, std::span<const do
   event.density = 0;
   if (event.ground) {
     event.t = line_.borders.back();
-    event.columns.assign(line_.columns.begin() + k * count, line_.columns.end());
+    event.columns.assign(line_.columns.end() - count, line_.columns.end());
     for (std::size_t g = 0; g < light_.size(); ++g)
       event.density += weights[g] * analog_[g * stride_ + k] * guide_[g * stride_ + k] / whole;
     return event.density > 0;
@@ -142,7 +161,7 @@ bool Flight::draw(const Layers& layers, const Optics& optics, std::span<const do
     const double depth = depths_[g * stride_ + k];
     if (!(depth > 0)) continue;
     const double before =
-        sum(optics.hero_extinction, light_.size(), g, std::span(line_.columns).subspan(k * count, count));
+        sum(optics.hero_extinction, light_.size(), g, std::span(line_.columns).subspan(ends_[k] * count, count));
     const double inside = sum(optics.hero_extinction, light_.size(), g, event.columns) - before;
     event.density += weights[g] * guide_[g * stride_ + k] / whole * analog_[g * stride_ + k] * std::exp(-inside) /
                      met_share(depth) * sum(optics.hero_extinction, light_.size(), g, event.densities);

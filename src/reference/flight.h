@@ -46,10 +46,12 @@ class Flight {
             Event& event) const;
 
  private:
+  void group();
   void find(const Layers& layers, const Optics& optics, std::size_t hero, std::size_t piece, double depth,
             Event& event) const;
 
   Line line_;
+  std::vector<std::size_t> ends_;  // of pieces, as borders of the line; the first is 0
   // A row for each hero, a place for each piece and the last for the ground.
   std::size_t stride_ = 0;      // places in a row, and one more
   std::vector<double> analog_;  // chance to scatter there, at the ground: to arrive

@@ -27,9 +27,9 @@ struct Optics {
   std::vector<double> hero_extinction, hero_scattering, hero_albedo;
   void hero_values(std::span<const double> by_wavelength, std::span<double> by_hero) const;
 
-  double optical_depth(std::span<const double> columns, std::size_t wavelength) const {
+  double optical_depth(std::span<const double> columns, std::size_t at_wavelength) const {
     double sum = 0;
-    for (std::size_t c = 0; c < constituents; ++c) sum += extinction[c * wavelengths + wavelength] * columns[c];
+    for (std::size_t c = 0; c < constituents; ++c) sum += extinction[c * wavelengths + at_wavelength] * columns[c];
     return sum;
   }
 

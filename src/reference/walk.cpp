@@ -114,7 +114,7 @@ void Walker::add_light_of_space(const Flight& flight, int order, std::span<doubl
 }
 
 /// Draws a direction, and writes into factor_ what it does to the weights.
-Vector Walker::draw_direction(Random& random) {
+Vector Walker::draw_direction(const WalkStart& start, Random& random) {
   const Optics& optics = rules_.optics;
   if (event_.ground) {
     std::copy(optics.albedo.begin(), optics.albedo.end(), factor_.begin());
@@ -132,17 +132,26 @@ Vector Walker::draw_direction(Random& random) {
   double left = random() * whole;
   std::size_t chosen = 0;
   while (chosen + 1 < shares_.size() && (left -= shares_[chosen]) >= 0) ++chosen;
-  const double angle = optics.samplers[chosen].one_minus_cos(random());
+  // Light that is scattered sharply forward is found around the direction of looking, and around the sun.
+  const bool sun_is_up = dot(position_, start.sun) > -0.02 * length(position_) && !rules_.uniform_light;
+  const double around_sun = sun_is_up ? 0.3 : 0;
+  const Vector& axis = random() < around_sun ? start.sun : direction_;
+  const double from_axis = optics.samplers[chosen].one_minus_cos(random());
+  const Vector direction = around(axis, std::sqrt(from_axis * (2 - from_axis)), 1 - from_axis, 2 * pi * random());
+  const double angle = one_minus_cos(direction, direction_), from_sun = one_minus_cos(direction, start.sun);
   double drawn = 0;
   std::fill(factor_.begin(), factor_.end(), 0.0);
   for (std::size_t c = 0; c < shares_.size(); ++c) {
-    if (shares_[c] > 0) drawn += shares_[c] / whole * optics.samplers[c].density(angle);
+    if (shares_[c] > 0)
+      drawn += shares_[c] / whole *
+               ((1 - around_sun) * optics.samplers[c].density(angle) +
+                (around_sun > 0 ? around_sun * optics.samplers[c].density(from_sun) : 0));
     const double scattered = event_.densities[c] * phase(optics.phases[c], angle);
     for (std::size_t w = 0; w < factor_.size(); ++w)
       factor_[w] += optics.scattering[c * optics.wavelengths + w] * scattered;
   }
   for (double& factor : factor_) factor = drawn > 0 ? factor / drawn : 0;
-  return around(direction_, std::sqrt(angle * (2 - angle)), 1 - angle, 2 * pi * random());
+  return direction;
 }
 
 /// Takes a new direction and aims the next flight. Of several candidates one is taken in proportion to the light that
@@ -155,7 +164,7 @@ bool Walker::turn(const WalkStart& start, Random& random) {
   double sum = 0, taken = 0;
   Vector direction{};
   for (int i = 0; i < rules_.candidates; ++i) {
-    const Vector towards = draw_direction(random);
+    const Vector towards = draw_direction(start, random);
     candidate_.aim(rules_.layers, optics, rules_.guide, {position_, towards}, start.sun, start.ground_radius,
                    std::numeric_limits<double>::infinity(), false, true);
     optics.hero_values(factor_, hero_factor_);

@@ -52,7 +52,7 @@ class Walker {
   void add_sunlight(const WalkStart& start, int order, Random& random, std::span<double> light);
   void add_light_of_space(const Flight& flight, int order, std::span<double> light);
   bool turn(const WalkStart& start, Random& random);
-  Vector draw_direction(Random& random);
+  Vector draw_direction(const WalkStart& start, Random& random);
   std::span<double> row(int order, std::span<double> light) const;
 
   const WalkRules& rules_;

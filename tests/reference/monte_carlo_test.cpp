@@ -12,6 +12,7 @@
 #include "atmospheres.h"
 #include "reference/air.h"
 #include "reference/layers.h"
+#include "reference/walk.h"
 
 namespace airlight::reference {
 namespace {
@@ -281,6 +282,98 @@ TEST(MonteCarlo, reflected_light_is_reciprocal) {
     EXPECT_NEAR(there / back, 1, far * std::hypot(error, back_error) / back) << a << " " << b;
     EXPECT_LT(error / there, 0.01);
   }
+}
+
+/// Integral over the unit cube by a lattice with random shifts, each shift an independent estimate with its error.
+template <class Function>
+std::pair<double, double> lattice(int points, Draw& draw, Function f) {
+  constexpr int shifts = 8;
+  // Roberts' generalisation of the golden ratio to four dimensions.
+  constexpr double steps[] = {0.8566748838545029, 0.733891856627126, 0.6287067210378087, 0.5385972572236101};
+  double mean = 0, squares = 0;
+  for (int shift = 1; shift <= shifts; ++shift) {
+    double offset[4], x[4], sum = 0;
+    for (double& o : offset) o = draw.between(0, 1);
+    for (int i = 0; i < points; ++i) {
+      for (int k = 0; k < 4; ++k) {
+        const double moved = offset[k] + i * steps[k];
+        x[k] = moved - std::floor(moved);
+      }
+      sum += f(x) / points;
+    }
+    const double apart = sum - mean;
+    mean += apart / shift;
+    squares += apart * (sum - mean);
+  }
+  return {mean, std::sqrt(squares / (shifts - 1) / shifts)};
+}
+
+// A whole planet: sunlight that falls on its sphere of air = light that passes + light thrown back + light absorbed by
+// ground and air. A small planet with much air, so that its round edge counts. One walk for each place and direction;
+// AIRLIGHT_LONG_TESTS=1: sixteen times as many.
+TEST(MonteCarlo, energy_balance_of_a_whole_planet) {
+  const double R = 1e6, top = 150e3, height = 25e3, scattering = 2e-5, absorption = 4e-6, albedo = 0.4;
+  Atmosphere planet =
+      with(vacuum(R, top), ExponentialProfile{height}, scattering, absorption, HenyeyGreensteinPhase{0.5});
+  planet.planet.albedo = albedo;
+  const WalkRules rules(planet, {&wavelength, 1}, {.kept_orders = 1, .point_sun = true, .random_first_order = true});
+  Walker walker(rules);
+  Random random(1, 1);
+  constexpr double endless = std::numeric_limits<double>::infinity();
+  const auto sun = [](double cosine) { return Vector{0, std::sqrt((1 - cosine) * (1 + cosine)), cosine}; };
+  const auto direct = [&](double radius, double sun_cosine) {
+    double column = 0;
+    const bool lit = rules.layers.add_columns_to_space({0, 0, radius}, sun(sun_cosine), R, {&column, 1});
+    return lit ? std::exp(-(scattering + absorption) * column) : 0;
+  };
+  const auto radiance = [&](double radius, double view_cosine, double azimuth, double sun_cosine) {
+    const double sine = std::sqrt((1 - view_cosine) * (1 + view_cosine));
+    const Place place{{0, 0, radius}, {sine * std::sin(azimuth), sine * std::cos(azimuth), view_cosine}};
+    const WalkStart start{place, sun(sun_cosine), R, endless, true, 1};
+    double light = 0;
+    walker.walk(start, walker.first_flight(start), random(), 1, random, {&light, 1});
+    return light;
+  };
+  // The sun's cosines over the whole planet, with most places where it shines.
+  const auto with_suns = [](const double* x, const auto& f) {
+    const double cosine = x[0] < 0.1 ? 20 * x[0] - 1 : 1.5 * std::sqrt((x[0] - 0.1) / 0.9) - 0.5;
+    const double density = 0.05 + (cosine > -0.5 ? 0.9 * 2 * (cosine + 0.5) / (1.5 * 1.5) : 0);
+    return f(cosine) / density;
+  };
+  Draw draw(9);
+  const int points = std::getenv("AIRLIGHT_LONG_TESTS") ? 480000 : 30000;
+  const double incident = pi * (R + top) * (R + top);
+
+  const auto ground = lattice(points, draw, [&](const double* x) {
+    return with_suns(x, [&](double cosine) {
+      const double sky = pi * radiance(R, std::sqrt(x[1]), pi * x[2], cosine);  // by Lambert's law
+      return 2 * pi * R * R * (1 - albedo) * (sky + std::max(cosine, 0.0) * direct(R, cosine));
+    });
+  });
+  const auto air = lattice(points, draw, [&](const double* x) {
+    return with_suns(x, [&](double cosine) {
+      const double share = -std::expm1(-top / height), radius = R - height * std::log1p(-x[1] * share);  // by density
+      const double light = 4 * pi * radiance(radius, 2 * x[2] - 1, pi * x[3], cosine) + direct(radius, cosine);
+      return 2 * pi * radius * radius * height * share * absorption * light;
+    });
+  });
+  const auto out = lattice(points, draw, [&](const double* x) {
+    return with_suns(x, [&](double cosine) {
+      return 2 * pi * (R + top) * (R + top) * pi * radiance(R + top, -std::sqrt(x[1]), pi * x[2], cosine);
+    });
+  });
+  const auto passed = lattice(10000, draw, [&](const double* x) {
+    const double square = R * R + x[0] * (2 * R + top) * top;  // of the distance from the axis, by area
+    Line line;
+    rules.layers.trace({std::sqrt(square), 0, -2 * (R + top)}, {0, 0, 1}, R, endless, line);
+    return pi * (2 * R + top) * top * std::exp(-(scattering + absorption) * line.columns.back());
+  });
+  const double sum = (ground.first + air.first + out.first + passed.first) / incident;
+  const double error = std::hypot(ground.second, air.second, std::hypot(out.second, passed.second)) / incident;
+  std::printf("energy: ground %.4f, air %.4f, out %.4f, passed %.4f; sum %.5f +- %.5f\n", ground.first / incident,
+              air.first / incident, out.first / incident, passed.first / incident, sum, error);
+  EXPECT_LT(error, 1e-3);
+  EXPECT_NEAR(sum, 1, std::max(1e-3, 3 * error));
 }
 
 TEST(MonteCarlo, names_what_is_wrong) {
