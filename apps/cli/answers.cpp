@@ -16,9 +16,10 @@ struct Solver {
   std::unique_ptr<Answerer> (*make)(const Workshop&);
 };
 #ifdef AIRLIGHT_WITH_REFERENCE
-constexpr Solver solvers[] = {{"reference-single", make_single_scattering_answerer}};
+constexpr Solver solvers[] = {{"reference-single", make_single_scattering_answerer},
+                              {"plane-parallel", make_plane_parallel_answerer}};
 #else
-constexpr Solver solvers[] = {{"reference-single", nullptr}};
+constexpr Solver solvers[] = {{"reference-single", nullptr}, {"plane-parallel", nullptr}};
 #endif
 
 /// The luminous part of every ray's spectrum.

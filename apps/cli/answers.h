@@ -75,5 +75,6 @@ std::vector<Answer> as_asked(
 
 std::unique_ptr<Answerer> make_sky_answerer(const std::string& model, const Workshop& workshop);
 std::unique_ptr<Answerer> make_single_scattering_answerer(const Workshop& workshop);
+std::unique_ptr<Answerer> make_plane_parallel_answerer(const Workshop& workshop);
 
 }  // namespace airlight::cli

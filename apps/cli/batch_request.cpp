@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "airlight/error.h"
+#include "batch_plane_parallel.h"
 #include "json_line.h"
 #include "number.h"
 
@@ -50,15 +51,19 @@ int read_order(Fields& fields) {
   return order->get<int>();
 }
 
-void read(const json& object, BatchRequest& request) {
-  Fields fields(object, "");
-  fields.find("id");
-  Topic& topic = request.topic;
-  Ray& ray = request.ray;
+void expect_increasing(const std::vector<double>& wavelengths) {
+  if (wavelengths.size() < 2) throw InputError("wavelengths: a photometric quantity needs at least 2");
+  for (std::size_t i = 1; i < wavelengths.size(); ++i)
+    if (wavelengths[i] <= wavelengths[i - 1])
+      throw InputError(
+          fmt::format("wavelengths[{}] = {}: expected more than {} nm, the one before (a photometric quantity "
+                      "integrates over them)",
+                      i, wavelengths[i], wavelengths[i - 1]));
+}
+
+/// The keys of models that have an atmosphere.
+void read_in_air(Fields& fields, Topic& topic, Ray& ray) {
   topic.atmosphere = fields.text("atmosphere", topic.atmosphere);
-  topic.model = fields.text("model", topic.model);
-  fields.get("quantity");
-  topic.asked = &asked(fields.text("quantity", ""));
   ray.altitude = fields.number("altitude", {lowest_altitude, highest_altitude, "m"}, 0);
   ray.view = read_direction(fields, "view", topic.asked->along_view);
   ray.sun = read_direction(fields, "sun", topic.asked->spectral != Quantity::transmittance);
@@ -66,16 +71,33 @@ void read(const json& object, BatchRequest& request) {
     ray.distance = fields.number("distance", {0, highest_altitude, "m (or null)"});
   topic.wavelengths = read_wavelengths(fields, !topic.asked->photometric);
   topic.max_order = read_order(fields);
+  if (topic.asked->photometric && !topic.wavelengths.empty()) expect_increasing(topic.wavelengths);
+}
+
+void read_in_layers(Fields& fields, Topic& topic, Ray& ray) {
+  topic.atmosphere.clear();
+  topic.own = plane_parallel_text(fields);
+  ray.view = read_direction(fields, "view", topic.asked->along_view);
+  ray.sun = read_direction(fields, "sun", true);
+  if (const double zenith = fields.number("sun_zenith", zenith_range); zenith >= 90)
+    throw InputError(
+        fmt::format("sun_zenith = {}: expected 0 up to less than 90 degrees (flat air has no light "
+                    "when the sun is down)",
+                    zenith));
+}
+
+void read(const json& object, BatchRequest& request) {
+  Fields fields(object, "");
+  fields.find("id");
+  Topic& topic = request.topic;
+  topic.model = fields.text("model", topic.model);
+  fields.get("quantity");
+  topic.asked = &asked(fields.text("quantity", ""));
+  if (topic.model == "plane-parallel")
+    read_in_layers(fields, topic, request.ray);
+  else
+    read_in_air(fields, topic, request.ray);
   fields.expect_no_more();
-  if (topic.asked->photometric && !topic.wavelengths.empty()) {
-    if (topic.wavelengths.size() < 2) throw InputError("wavelengths: a photometric quantity needs at least 2");
-    for (std::size_t i = 1; i < topic.wavelengths.size(); ++i)
-      if (topic.wavelengths[i] <= topic.wavelengths[i - 1])
-        throw InputError(
-            fmt::format("wavelengths[{}] = {}: expected more than {} nm, the one before (a photometric quantity "
-                        "integrates over them)",
-                        i, topic.wavelengths[i], topic.wavelengths[i - 1]));
-  }
 }
 
 }  // namespace

@@ -85,6 +85,39 @@ std::string Fields::text(const std::string& key, const std::string& otherwise) {
   return value->get<std::string>();
 }
 
+std::vector<double> Fields::numbers(const std::string& key, const Interval& interval) {
+  const json& list = get(key);
+  if (!list.is_array() || list.empty())
+    throw InputError(fmt::format("{} = {}: expected an array of numbers", path(key), excerpt(list)));
+  std::vector<double> values;
+  for (const json& value : list) {
+    const std::string name = fmt::format("{}[{}]", path(key), values.size());
+    if (!value.is_number()) throw InputError(fmt::format("{} = {}: {}", name, excerpt(value), expected(interval)));
+    check_number(value.get<double>(), name, interval);
+    values.push_back(value.get<double>());
+  }
+  return values;
+}
+
+Fields Fields::object(const std::string& key) {
+  const json& value = get(key);
+  if (!value.is_object()) throw InputError(fmt::format("{} = {}: expected an object", path(key), excerpt(value)));
+  return {value, path(key) + "."};
+}
+
+std::vector<Fields> Fields::objects(const std::string& key, std::size_t most) {
+  const json& list = get(key);
+  if (!list.is_array() || list.empty() || list.size() > most)
+    throw InputError(fmt::format("{} = {}: expected an array of 1 .. {} objects", path(key), excerpt(list), most));
+  std::vector<Fields> all;
+  for (const json& value : list) {
+    const std::string name = fmt::format("{}[{}]", path(key), all.size());
+    if (!value.is_object()) throw InputError(fmt::format("{} = {}: expected an object", name, excerpt(value)));
+    all.push_back({value, name + "."});
+  }
+  return all;
+}
+
 void Fields::expect_no_more() const {
   for (const auto& [key, value] : object_.items())
     if (!known_.contains(key))

@@ -31,6 +31,12 @@ class Fields {
   double number(const std::string& key, const Interval& interval);
   double number(const std::string& key, const Interval& interval, double otherwise);
   std::string text(const std::string& key, const std::string& otherwise);
+  /// An array of at least one number, each inside the interval. @throws InputError.
+  std::vector<double> numbers(const std::string& key, const Interval& interval);
+  /// The object under a key. @throws InputError.
+  Fields object(const std::string& key);
+  /// An array of 1 to `most` objects. @throws InputError.
+  std::vector<Fields> objects(const std::string& key, std::size_t most);
   /// @throws InputError naming a key that nobody asked for, with "did you mean".
   void expect_no_more() const;
 

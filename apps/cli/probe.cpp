@@ -52,6 +52,9 @@ Report make_report(const ProbeOptions& options) {
   report.atmosphere = atmosphere.name;
   report.model = options.machine.model;
   report.engine = answerer.engine();
+  if (!answerer.has(asked("luminance")))
+    throw InputError(
+        fmt::format("--model = {}: answers batches only (--batch FILE), whose lines hold its air", report.model));
 
   Ray ray;
   ray.altitude = options.altitude;

@@ -240,6 +240,55 @@ TEST(Batch, the_reference_answers_like_the_model_that_it_judges) {
   EXPECT_GT(number(answers[0]), 1.02 * number(answers[2])) << "the ground shines";
 }
 
+const json slab = json::parse(
+    R"({"model":"plane-parallel","quantity":"radiance","layers":[{"scattering_optical_depth":0.2,"phase":{"type":"rayleigh"}}],
+        "view_zenith":57.43656,"sun_zenith":85.38596})");
+
+// Problem 2b of DISORT (Stamnes et al. 1988), where the sun's irradiance is pi; cosines 0.538263 and 0.080442. 1e-3: its 16
+// streams, as in tests/reference.
+TEST(Batch, plane_parallel_air_gives_published_numbers) {
+  const double pi = 3.141592653589793;
+  const auto answers =
+      json_lines(batch(lines({slab, with(slab, {{"observer", "space"}, {"view_zenith", 180 - 57.43656}}),
+                              with(slab, {{"quantity", "sky_irradiance"}}), with(slab, {{"view_azimuth", 180}}),
+                              with(slab, {{"view_azimuth", 250}, {"sun_azimuth", 70}})}))
+                     .out);
+  ASSERT_EQ(answers.size(), 5u);
+  EXPECT_NEAR(number(answers[0]) * pi / 4.64061e-2, 1, 1e-3);
+  EXPECT_NEAR(number(answers[1]) * pi / 4.87120e-2, 1, 1e-3);
+  EXPECT_NEAR(number(answers[2]) * pi / 1.06123e-1, 1, 1e-3);
+  // Only the difference of azimuths counts. 1e-12: rounding.
+  EXPECT_NEAR(number(answers[3]) / number(answers[4]), 1, 1e-12);
+  EXPECT_LT(number(answers[3]), 0.99 * number(answers[0])) << "brighter towards the sun";
+}
+
+TEST(Batch, a_thousand_views_of_a_slab_cost_little_more_than_one) {
+  std::vector<json> questions;
+  for (int i = 0; i < 1000; ++i)
+    questions.push_back(with(slab, {{"id", i}, {"view_zenith", 0.09 * i}, {"view_azimuth", i % 360}}));
+  const auto start = std::chrono::steady_clock::now();
+  const auto answers = json_lines(batch(lines(questions)).out);
+  // Half a second on an idle machine; a thousand solutions would be 20.
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(15));
+  ASSERT_EQ(answers.size(), 1000u);
+  for (const json& answer : answers) EXPECT_GT(number(answer), 0) << answer;
+}
+
+TEST(Batch, plane_parallel_air_says_what_it_cannot_answer) {
+  const auto answers = json_lines(
+      batch(lines({with(slab, {{"quantity", "luminance"}}),
+                   with(slab, {{"quantity", "sky_irradiance"}, {"observer", "space"}}), with(slab, {{"layers", 3}})}))
+          .out);
+  ASSERT_EQ(answers.size(), 3u);
+  const char* const fragments[] = {"expected one of radiance, sky_irradiance", "sky_irradiance is that of the ground",
+                                   "layers = 3"};
+  for (int i = 0; i < 3; ++i)
+    EXPECT_NE(answers[i].value("error", "").find(fragments[i]), std::string::npos) << answers[i];
+  const Outcome alone = run(Folder(), {"probe", "--model", "plane-parallel", "--sun-elevation", "30"});
+  EXPECT_EQ(alone.code, 2);
+  EXPECT_NE(alone.err.find("--batch"), std::string::npos) << alone.err;
+}
+
 TEST(Batch, the_reference_says_what_it_cannot_answer) {
   const json line = with(example, {{"model", "reference-single"}});
   const auto answers =

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "batch_plane_parallel.h"
 #include "batch_request.h"
 #include "eval_request.h"
 #include "number.h"
@@ -90,6 +91,75 @@ TEST(BatchRequest, bad_lines_keep_their_id_and_say_why) {
     const auto request = parse_batch_request(text, otherwise);
     EXPECT_NE(request.error.find(fragment), std::string::npos) << request.error;
     EXPECT_EQ(request.id, id.empty() ? nlohmann::json() : nlohmann::json(id));
+  }
+}
+
+TEST(BatchRequest, reads_plane_parallel_air) {
+  const auto request = parse_batch_request(
+      R"({"id":1,"model":"plane-parallel","quantity":"radiance","layers":[{"scattering_optical_depth":0.1,)"
+      R"("absorption_optical_depth":0.02,"phase":{"type":"rayleigh","depolarisation":0.03}},{"parts":[)"
+      R"({"scattering_optical_depth":0.2,"phase":{"type":"double-henyey-greenstein","g1":0.8,"g2":-0.3,"weight":0.9}},)"
+      R"({"absorption_optical_depth":0.3},{"scattering_optical_depth":0.4,"absorption_optical_depth":0.5,)"
+      R"("phase":{"type":"table","angles":[0,180],"values":[7,7]}}]}],"surface_albedo":0.25,"observer":"space",)"
+      R"("view_zenith":120,"sun_zenith":30})",
+      otherwise);
+  ASSERT_EQ(request.error, "");
+  EXPECT_EQ(request.topic.atmosphere, "");
+  EXPECT_TRUE(request.topic.wavelengths.empty());
+  const auto [air, from_space] = parse_plane_parallel(request.topic.own);
+  EXPECT_TRUE(from_space);
+  EXPECT_EQ(air.surface_albedo, 0.25);
+  ASSERT_EQ(air.layers.size(), 2u);
+  ASSERT_EQ(air.layers[0].scatterers.size(), 1u);
+  EXPECT_EQ(air.layers[0].scatterers[0].optical_depth, 0.1);
+  EXPECT_EQ(air.layers[0].scatterers[0].phase, Phase(RayleighPhase{0.03}));
+  EXPECT_EQ(air.layers[0].absorption_optical_depth, 0.02);
+  ASSERT_EQ(air.layers[1].scatterers.size(), 2u);
+  EXPECT_EQ(air.layers[1].scatterers[0].phase, Phase(DoubleHenyeyGreensteinPhase{0.8, -0.3, 0.9}));
+  EXPECT_EQ(air.layers[1].absorption_optical_depth, 0.8);
+  // Equal everywhere: 1 / (4 pi). 1e-15: rounding.
+  const auto& table = std::get<TablePhase>(air.layers[1].scatterers[1].phase);
+  EXPECT_NEAR(table.angles[1], 3.141592653589793, 1e-15);
+  EXPECT_NEAR(table.values[0], 0.07957747154594767, 1e-15);
+}
+
+TEST(BatchRequest, bad_plane_parallel_air_is_named) {
+  const auto error = [](const std::string& keys) {
+    return parse_batch_request(R"({"model":"plane-parallel","quantity":"radiance","view_zenith":10,)" + keys + "}",
+                               otherwise)
+        .error;
+  };
+  const std::string air = R"("layers":[{"scattering_optical_depth":1,"phase":{"type":"isotropic"}}],)";
+  const std::string sun = R"("sun_zenith":30)";
+  EXPECT_EQ(error(air + sun), "");
+  struct Bad {
+    std::string keys, fragment;
+  };
+  for (const auto& [keys, fragment] : {
+           Bad{sun, "layers: missing"},
+           Bad{R"("layers":{},)" + sun, "layers = an object: expected an array of 1 .. 1000 objects"},
+           Bad{R"("layers":[],)" + sun, "layers = an array"},
+           Bad{R"("layers":[3],)" + sun, "layers[0] = 3: expected an object"},
+           Bad{R"("layers":[{"scattering_optical_depth":1}],)" + sun, "layers[0].phase: missing"},
+           Bad{R"("layers":[{"scattering_optical_depth":-1}],)" + sun, "layers[0].scattering_optical_depth = -1"},
+           Bad{R"("layers":[{"scatering_optical_depth":1}],)" + sun, "did you mean scattering_optical_depth?"},
+           Bad{R"("layers":[{"parts":[{"phase":{"type":"raleigh"}}]}],)" + sun,
+               "layers[0].parts[0].phase.type = raleigh: unknown phase function; did you mean rayleigh?"},
+           Bad{R"("layers":[{"parts":[{}],"phase":{"type":"rayleigh"}}],)" + sun, "layers[0].phase: unknown key"},
+           Bad{R"("layers":[{"phase":{"type":"henyey-greenstein"}}],)" + sun, "layers[0].phase.g: missing"},
+           Bad{R"("layers":[{"phase":{"type":"henyey-greenstein","g":1}}],)" + sun, "layers[0].phase.g = 1: expected"},
+           Bad{R"("layers":[{"phase":{"type":"henyey-greenstein","g":0.5,"f":1}}],)" + sun, "layers[0].phase.f"},
+           Bad{R"("layers":[{"phase":{"type":"table","angles":[0,90],"values":[1,1]}}],)" + sun, "layers[0].phase"},
+           Bad{R"("layers":[{"phase":{"type":"table","angles":[0,180],"values":[1]}}],)" + sun, "as many values"},
+           Bad{R"("layers":[{"phase":{"type":"table","angles":[],"values":[1]}}],)" + sun, "layers[0].phase.angles"},
+           Bad{R"("layers":[{"phase":"rayleigh"}],)" + sun, "layers[0].phase = \"rayleigh\": expected an object"},
+           Bad{air + R"("surface_albedo":2,)" + sun, "surface_albedo = 2: expected 0 .. 1"},
+           Bad{air + R"("observer":"spce",)" + sun, "did you mean space?"},
+           Bad{air + R"("altitude":0,)" + sun, "altitude: unknown key"},
+           Bad{air + R"("sun_zenith":90)", "sun_zenith = 90: expected 0 up to less than 90 degrees"},
+       }) {
+    SCOPED_TRACE(keys);
+    EXPECT_NE(error(keys).find(fragment), std::string::npos) << error(keys);
   }
 }
 

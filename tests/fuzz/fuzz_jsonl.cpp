@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <cstdlib>
 
+#include "batch_plane_parallel.h"
 #include "batch_request.h"
 #include "eval_request.h"
 #include "json_line.h"
@@ -28,6 +29,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const BatchRequest batch = parse_batch_request(text, {"earth", "skyview", nullptr, {}, 0});
   check(batch);
   expect(!batch.error.empty() || batch.topic.asked);
+  if (batch.error.empty() && !batch.topic.own.empty()) parse_plane_parallel(batch.topic.own);
   const EvalRequest eval = parse_eval_request(text);
   check(eval);
   expect(!eval.error.empty() || eval.function);
