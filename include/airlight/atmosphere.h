@@ -78,7 +78,8 @@ struct TablePhase {
   std::vector<double> values;  ///< [1/sr]
   bool operator==(const TablePhase&) const = default;
 };
-using Phase = std::variant<RayleighPhase, IsotropicPhase, HenyeyGreensteinPhase, CornetteShanksPhase, DoubleHenyeyGreensteinPhase, TablePhase>;
+using Phase = std::variant<RayleighPhase, IsotropicPhase, HenyeyGreensteinPhase, CornetteShanksPhase,
+                           DoubleHenyeyGreensteinPhase, TablePhase>;
 
 /// Phase function [1/sr] at one_minus_cos = 1 - cos(scattering angle), in [0, 2].
 double phase_function(const Phase& phase, double one_minus_cos);
@@ -102,7 +103,8 @@ struct Planet {
 struct Sun {
   Spectrum irradiance;               ///< [W m^-2 nm^-1] outside the atmosphere, normal to the beam
   double angular_radius = 0.004675;  ///< [rad]
-  Spectrum limb_darkening = 0.0;     ///< exponent a of radiance(mu) = mu^a, mu = cos of the angle at the sun's surface; 0: uniform disc
+  Spectrum limb_darkening =
+      0.0;  ///< exponent a of radiance(mu) = mu^a, mu = cos of the angle at the sun's surface; 0: uniform disc
   bool operator==(const Sun&) const = default;
 };
 struct Atmosphere {

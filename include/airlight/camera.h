@@ -19,10 +19,10 @@ enum class Projection {
 struct Camera {
   Projection projection = Projection::equirectangular;
   int width = 1024, height = 512;
-  double altitude = 2;                      ///< [m] above the ground sphere
+  double altitude = 2;                          ///< [m] above the ground sphere
   double azimuth = 0, elevation = 0, roll = 0;  ///< of the optical axis [rad]; azimuth from north, clockwise
   double field_of_view = 1.5707963267948966;    ///< horizontal (fisheye: full circle) [rad]
-  int face = 0;                             ///< cube: +x, -x, +y, -y, +z, -z = east, west, north, south, up, down
+  int face = 0;                                 ///< cube: +x, -x, +y, -y, +z, -z = east, west, north, south, up, down
 };
 
 /// The unit vector seen at picture coordinates (0, 0) top left .. (1, 1) bottom right.

@@ -45,15 +45,17 @@ class Engine {
   /// @param parameters  the pass's parameter blocks one after the other, in the order of its signature
   /// @param inputs      its tables, in the order of its signature
   /// @returns           its outputs, the return value first
-  std::vector<Table> run(const PassInfo& pass, std::span<const double> parameters, std::span<const Table> inputs, Shape shape);
+  std::vector<Table> run(const PassInfo& pass, std::span<const double> parameters, std::span<const Table> inputs,
+                         Shape shape);
 
   /// Runs a pass whose result nobody will ask for again: it is not kept.
-  std::vector<Table> run_once(const PassInfo& pass, std::span<const double> parameters, std::span<const Table> inputs, Shape shape);
+  std::vector<Table> run_once(const PassInfo& pass, std::span<const double> parameters, std::span<const Table> inputs,
+                              Shape shape);
 
   /// Runs a pass over rows [begin, end) of a picture and writes RGBA floats; nothing is kept.
   /// @param rgba  (end - begin) * width * 4 values
-  void draw(const PassInfo& pass, std::span<const double> parameters, std::span<const Table> inputs, Shape shape, int begin, int end,
-            std::span<float> rgba);
+  void draw(const PassInfo& pass, std::span<const double> parameters, std::span<const Table> inputs, Shape shape,
+            int begin, int end, std::span<float> rgba);
 
   /// Copies a table's texels out.
   virtual void read(const Table& table, std::span<double> rgba) = 0;
@@ -62,8 +64,8 @@ class Engine {
   /// @param uniforms  values of the uniform arguments (Scalars, structs), in the order of the signature
   /// @param varying   argument components, each `count` values, in the order of the signature
   /// @param results   result components (return value, then OUT arguments), each `count` values
-  virtual void evaluate(const FunctionInfo& function, std::span<const double> uniforms, std::span<const double> varying, int count,
-                        std::span<double> results) = 0;
+  virtual void evaluate(const FunctionInfo& function, std::span<const double> uniforms, std::span<const double> varying,
+                        int count, std::span<double> results) = 0;
 
   /// How often a pass was really run (not taken from what is kept).
   long passes_run(std::string_view pass) const;
@@ -72,8 +74,8 @@ class Engine {
   virtual std::shared_ptr<void> make_table(Shape shape, std::span<const double> rgba) = 0;
   virtual std::vector<std::shared_ptr<void>> run_pass(const PassInfo& pass, std::span<const double> parameters,
                                                       std::span<const Table> inputs, Shape shape) = 0;
-  virtual void draw_rows(const PassInfo& pass, std::span<const double> parameters, std::span<const Table> inputs, Shape shape, int begin,
-                         int end, std::span<float> rgba) = 0;
+  virtual void draw_rows(const PassInfo& pass, std::span<const double> parameters, std::span<const Table> inputs,
+                         Shape shape, int begin, int end, std::span<float> rgba) = 0;
 
  private:
   struct Kept {

@@ -16,14 +16,14 @@ namespace airlight {
 
 /// A question about the air, in the observer's own frame (east, north, up): z is the local vertical at the observer.
 struct Ray {
-  double altitude = 0;                 ///< observer above the ground sphere [m]; may be negative, may be in space
-  Direction view{0, 0, 1};             ///< unit, observer -> scene
-  Direction sun{0, 0, 1};              ///< unit, towards the Sun's centre; may be below the horizon
+  double altitude = 0;      ///< observer above the ground sphere [m]; may be negative, may be in space
+  Direction view{0, 0, 1};  ///< unit, observer -> scene
+  Direction sun{0, 0, 1};   ///< unit, towards the Sun's centre; may be below the horizon
   double distance = std::numeric_limits<double>::infinity();  ///< [m]; infinity: to space or the ground
 };
 
 enum class Quantity {
-  radiance,        ///< [W m^-2 sr^-1 nm^-1] along the ray, sun disc excluded; ground's reflection included where the ray meets it
+  radiance,  ///< [W m^-2 sr^-1 nm^-1] along the ray, sun disc excluded; ground's reflection included where the ray meets it
   path_radiance,   ///< [W m^-2 sr^-1 nm^-1] the air's part alone
   transmittance,   ///< [1] along the ray
   sun_irradiance,  ///< [W m^-2 nm^-1] direct sunlight on a plane normal to the beam; `view` and `distance` are not used
@@ -33,31 +33,36 @@ enum class Quantity {
 /// What a picture shows beside the air.
 struct PictureOptions {
   bool sun_disc = true;
-  std::vector<double> wavelengths;  ///< [nm]; empty: the four of real time. Else a multiple of four at equal spacing, accumulated to XYZ
+  std::vector<double>
+      wavelengths;  ///< [nm]; empty: the four of real time. Else a multiple of four at equal spacing, accumulated to XYZ
 };
 
 /// A point in an observer's view, or the sky behind everything.
 struct Sight {
-  Direction view{0, 0, 1};  ///< unit, observer -> point
+  Direction view{0, 0, 1};                                    ///< unit, observer -> point
   double distance = std::numeric_limits<double>::infinity();  ///< [m]; infinity: to space or the ground sphere
-  double offset = 0.5;      ///< in [0, 1): where between its points a ray looks for shadows; spread over pixels, it dissolves their steps
+  double offset =
+      0.5;  ///< in [0, 1): where between its points a ray looks for shadows; spread over pixels, it dissolves their steps
 };
 
 /// A piece of a solid surface out of doors. Its frame: x horizontal towards the Sun, z the local vertical.
 struct SurfacePoint {
-  double altitude = 0;          ///< [m]
+  double altitude = 0;           ///< [m]
   double sun_zenith_cosine = 1;  ///< of the Sun's centre, above the local horizontal
   double sun_cosine = 1;         ///< of the angle between the surface's normal and the Sun; negative: it faces away
   Direction normal{0, 0, 1};     ///< unit
   double sun_visibility = 1;     ///< part of the Sun's disc that other surfaces leave visible
-  double sky_view = 1;           ///< cosine-weighted part of the upper hemisphere in which the surface, tilted as it is, sees sky; see src/scene/sky_view.h
+  double sky_view =
+      1;  ///< cosine-weighted part of the upper hemisphere in which the surface, tilted as it is, sees sky; see src/scene/sky_view.h
 };
 
 /// Shadows that land casts into the air: a map over it, for one direction of the Sun. Outside the map all is lit.
 struct AirShadows {
   int width = 0, height = 0;
-  std::shared_ptr<const std::vector<float>> edges;  ///< for each cell, rows of u first: altitude [m] below which the Sun's disc is hidden, and above which it is whole
-  std::array<double, 4> across{}, along{};  ///< map coordinate u (v) of a point p [m], in the observer's frame: across[0..2] . p + across[3]; 0 and 1 at the map's edges
+  std::shared_ptr<const std::vector<float>>
+      edges;  ///< for each cell, rows of u first: altitude [m] below which the Sun's disc is hidden, and above which it is whole
+  std::array<double, 4> across{},
+      along{};  ///< map coordinate u (v) of a point p [m], in the observer's frame: across[0..2] . p + across[3]; 0 and 1 at the map's edges
   double highest = 0;  ///< altitude [m] above which all is lit
   int steps = 64;      ///< points on a ray, 1 to 1024
 };
@@ -85,8 +90,8 @@ class Sky {
   /// Answers one quantity for N rays at W wavelengths.
   /// @param max_order  0: all the orders that the model has; 1: light scattered or reflected once
   /// @param out        N x W, ray slowest. @throws InputError naming the ray and the value; `out` is then untouched.
-  void evaluate(Quantity quantity, std::span<const Ray> rays, std::span<const double> wavelengths, std::span<double> out,
-                int max_order = 0) const;
+  void evaluate(Quantity quantity, std::span<const Ray> rays, std::span<const double> wavelengths,
+                std::span<double> out, int max_order = 0) const;
 
   /// The air before N points of one observer's view, at W wavelengths: what a picture with depth needs. Lit by one Sun; land may shade
   /// it. Light of higher orders is not shaded: it comes from all sides.
@@ -94,8 +99,8 @@ class Sky {
   /// @param inscatter      N x W [W m^-2 sr^-1 nm^-1], as path_radiance; where a distance is infinite, as radiance
   /// @param transmittance  N x W [1]
   /// @throws InputError naming the point and the value, and where a model cannot shade the air
-  void haze(double altitude, Direction sun, std::span<const Sight> points, std::span<const double> wavelengths, const AirShadows* shadows,
-            std::span<double> inscatter, std::span<double> transmittance) const;
+  void haze(double altitude, Direction sun, std::span<const Sight> points, std::span<const double> wavelengths,
+            const AirShadows* shadows, std::span<double> inscatter, std::span<double> transmittance) const;
 
   /// Light that N Lambertian surface points reflect, at W wavelengths, lit by the Sun and by the sky, which is brighter on one side.
   /// What hides the sky is taken for lit ground of the planet's albedo.
@@ -103,8 +108,8 @@ class Sky {
   /// @param albedo   N x W, in [0, 1]
   /// @param radiance N x W [W m^-2 sr^-1 nm^-1]
   /// @param skylight N x W [W m^-2 nm^-1] that reaches the surface from the sky and what hides it; may be empty
-  void surface(std::span<const SurfacePoint> points, double sun_zenith_cosine, std::span<const double> wavelengths, std::span<const double> albedo,
-               std::span<double> radiance, std::span<double> skylight) const;
+  void surface(std::span<const SurfacePoint> points, double sun_zenith_cosine, std::span<const double> wavelengths,
+               std::span<const double> albedo, std::span<double> radiance, std::span<double> skylight) const;
 
   /// Linear-light picture in absolute units: RGBA rows of linear sRGB [cd/m^2], alpha 1.
   /// @param strip  Called with consecutive rows [begin, end) and their pixels, from the calling thread; return false to stop.

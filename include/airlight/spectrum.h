@@ -59,8 +59,8 @@ struct ColumnSpectrum {
 /// A quantity that depends on wavelength; its unit is that of the quantity.
 class Spectrum {
  public:
-  using Law = std::variant<ConstantSpectrum, TableSpectrum, PowerSpectrum, RayleighAirSpectrum, HestrofferMagnanSpectrum,
-                           ProductSpectrum, ColumnSpectrum>;
+  using Law = std::variant<ConstantSpectrum, TableSpectrum, PowerSpectrum, RayleighAirSpectrum,
+                           HestrofferMagnanSpectrum, ProductSpectrum, ColumnSpectrum>;
 
   Spectrum(double value = 0) : law_(ConstantSpectrum{value}) {}
   Spectrum(Law law) : law_(std::move(law)) {}

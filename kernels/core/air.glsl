@@ -13,6 +13,7 @@ struct Air {
   Scalar4 albedo;             // [1] in 0..1
   Scalar4 solar_irradiance;   // [W m^-2 nm^-1] in 0..2
   Scalar4 limb_darkening;     // [1] in 0..1  exponent a of radiance(mu) = mu^a over the disc
+  Scalar4 disc_light;         // [1] in 0.1..1  the whole disc's, as sunlight_pass sums it: mean of sin(phi)^(a + 2) over its slices
   Scalar ground_radius;       // [m] in 1e6..1e8 log
   Scalar top_altitude;        // [m] in 1e4..2e5
   Scalar sun_radius;          // [rad] in 1e-3..1e-2  angular radius of the Sun

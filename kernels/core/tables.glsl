@@ -32,15 +32,14 @@ FN Vec4 sunlight_pass(IN(Air) air, IN(GridSize) size, Table2 optical_depth, Vec2
   // A slice of the disc with radiance mu^a carries sin(phi)^(a + 1) dy = sin(phi)^(a + 2) dphi.
   Vec4 exponent = Vec4(air.limb_darkening) + Vec4(2.0);
   Vec4 sum = Vec4(0.0);
-  Vec4 whole = Vec4(0.0);
   for (int i = 0; i < 24; ++i) {
     Float part = (Float(i) + 0.5) * (1.0 / 24.0);
     Float phi = part * last;
     Float down = air.sun_radius * (1.0 - cos(phi));
     Float mu = max(mu_limb * (1.0 - 0.5 * down * down) - sin_limb * down, horizon);
     Vec4 through = exp(-lookup(optical_depth, depth_uv(air, altitude, mu, width_of(optical_depth), height_of(optical_depth))));
-    sum = sum + through * power4(sin(phi), exponent) * last;
-    whole = whole + power4(sin(part * 3.14159265358979), exponent) * 3.14159265358979;
+    sum = sum + through * power4(sin(phi), exponent);
   }
-  return -ln4(max(sum / whole, 1.0e-30));
+  // Of the mean over the slices seen, the part of pi that they take.
+  return -ln4(max(sum * (last * (1.0 / (24.0 * 3.14159265358979))) / Vec4(air.disc_light), 1.0e-30));
 }

@@ -75,14 +75,16 @@ Table Engine::lend(Shape shape, std::span<const double> rgba) {
 void Engine::keep(std::uint64_t key, std::vector<Table> tables) {
   for (const Table& t : tables) kept_texels_ += t.shape.texels();
   while (kept_texels_ > kept_limit && !kept_.empty()) {
-    const auto oldest = std::min_element(kept_.begin(), kept_.end(), [](const auto& a, const auto& b) { return a.second.used < b.second.used; });
+    const auto oldest = std::min_element(kept_.begin(), kept_.end(),
+                                         [](const auto& a, const auto& b) { return a.second.used < b.second.used; });
     for (const Table& t : oldest->second.tables) kept_texels_ -= t.shape.texels();
     kept_.erase(oldest);
   }
   kept_[key] = {std::move(tables), ++clock_};
 }
 
-std::vector<Table> Engine::run(const PassInfo& pass, std::span<const double> parameters, std::span<const Table> inputs, Shape shape) {
+std::vector<Table> Engine::run(const PassInfo& pass, std::span<const double> parameters, std::span<const Table> inputs,
+                               Shape shape) {
   assert(inputs.size() == pass.tables.size());
   Hash hash;
   hash.add(pass.name);
@@ -101,21 +103,25 @@ std::vector<Table> Engine::run(const PassInfo& pass, std::span<const double> par
     tables.push_back({shape, own.value(), std::move(storage)});
   }
   const auto count = runs_.find(pass.name);
-  if (count == runs_.end()) runs_.emplace(pass.name, 1);
-  else ++count->second;
+  if (count == runs_.end())
+    runs_.emplace(pass.name, 1);
+  else
+    ++count->second;
   keep(hash.value(), tables);
   return tables;
 }
 
-std::vector<Table> Engine::run_once(const PassInfo& pass, std::span<const double> parameters, std::span<const Table> inputs, Shape shape) {
+std::vector<Table> Engine::run_once(const PassInfo& pass, std::span<const double> parameters,
+                                    std::span<const Table> inputs, Shape shape) {
   assert(inputs.size() == pass.tables.size());
   std::vector<Table> tables;
-  for (auto& storage : run_pass(pass, parameters, inputs, shape)) tables.push_back({shape, ++clock_, std::move(storage)});
+  for (auto& storage : run_pass(pass, parameters, inputs, shape))
+    tables.push_back({shape, ++clock_, std::move(storage)});
   return tables;
 }
 
-void Engine::draw(const PassInfo& pass, std::span<const double> parameters, std::span<const Table> inputs, Shape shape, int begin, int end,
-                  std::span<float> rgba) {
+void Engine::draw(const PassInfo& pass, std::span<const double> parameters, std::span<const Table> inputs, Shape shape,
+                  int begin, int end, std::span<float> rgba) {
   assert(inputs.size() == pass.tables.size() && rgba.size() == 4 * std::size_t(end - begin) * std::size_t(shape.width));
   draw_rows(pass, parameters, inputs, shape, begin, end, rgba);
 }

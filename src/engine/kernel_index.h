@@ -14,8 +14,8 @@ struct ArgumentInfo {
   std::string_view struct_name;  ///< for Struct
   bool out;                      ///< an OUT argument: a result
   std::string_view unit;
-  double low, high;              ///< the range it is meant for; tests draw from it
-  bool logarithmic;              ///< draw logarithmically
+  double low, high;  ///< the range it is meant for; tests draw from it
+  bool logarithmic;  ///< draw logarithmically
   std::string_view text;
 };
 
@@ -34,21 +34,21 @@ struct FunctionInfo {
   KernelType result;             ///< Struct with no name: void
   bool returns_nothing;
   std::span<const ArgumentInfo> arguments;
-  double bound, scale;           ///< engines differ from double by at most bound * max(|value|, scale)
+  double bound, scale;  ///< engines differ from double by at most bound * max(|value|, scale)
   std::string_view file;
   int line;
-  int group;                     ///< which translation unit holds it
-  int slot;                      ///< its place in that unit's list
-  bool evaluable;                ///< no tables among its arguments
+  int group;       ///< which translation unit holds it
+  int slot;        ///< its place in that unit's list
+  bool evaluable;  ///< no tables among its arguments
 };
 
 struct PassInfo {
-  std::string_view name;         ///< outside name, "skyview.sky_view"
-  std::string_view kernel_name;  ///< "skyview_sky_view_pass"
+  std::string_view name;                     ///< outside name, "skyview.sky_view"
+  std::string_view kernel_name;              ///< "skyview_sky_view_pass"
   std::span<const ArgumentInfo> parameters;  ///< its structs
   std::span<const ArgumentInfo> tables;
   std::span<const std::string_view> outputs;  ///< the return value (named as the pass), then OUT arguments
-  bool slices;                   ///< takes Vec3 uvw
+  bool slices;                                ///< takes Vec3 uvw
   std::string_view file;
   int line, group, slot;
 };

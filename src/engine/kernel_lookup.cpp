@@ -1,8 +1,8 @@
 #include <algorithm>
 
 #include "airlight/error.h"
-#include "engine/kernel_index.h"
 #include "did_you_mean.h"
+#include "engine/kernel_index.h"
 
 namespace airlight {
 namespace {
@@ -24,14 +24,19 @@ const StructInfo& kernel_struct(std::string_view name) { return find(kernel_stru
 
 int components(KernelType type) {
   switch (type) {
-    case KernelType::Vec2: return 2;
-    case KernelType::Vec3: return 3;
+    case KernelType::Vec2:
+      return 2;
+    case KernelType::Vec3:
+      return 3;
     case KernelType::Vec4:
-    case KernelType::Scalar4: return 4;
+    case KernelType::Scalar4:
+      return 4;
     case KernelType::Struct:
     case KernelType::Table2:
-    case KernelType::Table3: return 0;
-    default: return 1;
+    case KernelType::Table3:
+      return 0;
+    default:
+      return 1;
   }
 }
 

@@ -32,11 +32,12 @@ struct Model {
   std::string_view name;
   std::string_view summary;
   BakeOptions air;
-  std::vector<TablePass> tables;    ///< every table that its passes may name, besides the baked air
-  std::string_view rays;            ///< answers radiance, transmittance, ground radiance for rays
-  std::string_view sky_light;       ///< light from 256 directions (u) for observers (v): what sky irradiance is summed from
+  std::vector<TablePass> tables;  ///< every table that its passes may name, besides the baked air
+  std::string_view rays;          ///< answers radiance, transmittance, ground radiance for rays
+  std::string_view sky_light;  ///< light from 256 directions (u) for observers (v): what sky irradiance is summed from
   std::function<std::string_view(const Situation&)> picture;  ///< the pass that draws a picture, for an observer
-  std::function<std::string_view(const Situation&)> haze;  ///< the pass for points in view, with shadows; empty: `rays`, without
+  std::function<std::string_view(const Situation&)>
+      haze;  ///< the pass for points in view, with shadows; empty: `rays`, without
   std::function<Fields(std::string_view argument, const Situation&)> fields;  ///< the model's own parameter structs
 };
 

@@ -17,7 +17,8 @@ bool table_holds(const Situation& s) { return s.altitude < 0.3 * s.top_altitude;
 Model skyview_model() {
   return {
       .name = "skyview",
-      .summary = "real time: multiple scattering and the observer's sky from tables, any planet and air, ground to space",
+      .summary =
+          "real time: multiple scattering and the observer's sky from tables, any planet and air, ground to space",
       .air = {.zones = 14, .substeps = 1},
       .tables = {{"core.optical_depth", {256, 64}},
                  {"core.sunlight", {256, 64}},
@@ -31,13 +32,19 @@ Model skyview_model() {
                  {"skyview.aerial_class2", froxels}},
       .rays = "skyview.rays",
       .sky_light = "skyview.sky_light",
-      .picture = [](const Situation& s) -> std::string_view { return table_holds(s) ? "skyview.picture" : "skyview.space_picture"; },
+      .picture = [](const Situation& s) -> std::string_view {
+        return table_holds(s) ? "skyview.picture" : "skyview.space_picture";
+      },
       .haze = [](const Situation& s) -> std::string_view { return table_holds(s) ? "skyview.haze" : ""; },
       .fields = [](std::string_view argument, const Situation& s) -> Fields {
         if (argument != "dome" && argument != "froxels") return {};
         const Shape& shape = argument == "dome" ? dome : froxels;
-        const double horizon = -std::sqrt(s.altitude * (2 * s.ground_radius + s.altitude)) / (s.ground_radius + s.altitude);
-        return {{"width", {double(shape.width)}}, {"height", {double(shape.height)}}, {"depth", {double(shape.depth)}}, {"horizon", {horizon}}};
+        const double horizon =
+            -std::sqrt(s.altitude * (2 * s.ground_radius + s.altitude)) / (s.ground_radius + s.altitude);
+        return {{"width", {double(shape.width)}},
+                {"height", {double(shape.height)}},
+                {"depth", {double(shape.depth)}},
+                {"horizon", {horizon}}};
       },
   };
 }

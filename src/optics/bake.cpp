@@ -170,6 +170,12 @@ BakedAir bake(const Atmosphere& atmosphere, const Quad& wavelengths, double datu
   air.numbers["albedo"] = at(planet.albedo, wavelengths);
   air.numbers["solar_irradiance"] = at(atmosphere.sun.irradiance, wavelengths);
   air.numbers["limb_darkening"] = at(atmosphere.sun.limb_darkening, wavelengths);
+  for (const double exponent : air.numbers["limb_darkening"]) {
+    double mean = 0;
+    constexpr int slices = 24;
+    for (int i = 0; i < slices; ++i) mean += std::pow(std::sin((i + 0.5) / slices * std::numbers::pi), exponent + 2) / slices;
+    air.numbers["disc_light"].push_back(mean);
+  }
   air.numbers["ground_radius"] = {planet.ground_radius + datum};
   air.numbers["top_altitude"] = {top};
   air.numbers["sun_radius"] = {atmosphere.sun.angular_radius};

@@ -9,17 +9,20 @@ std::vector<double> Binder::parameters(const PassInfo& pass, Shape shape) const 
   std::vector<double> numbers;
   for (const ArgumentInfo& argument : pass.parameters) {
     const auto set = structs_.find(argument.name);
-    const Fields fields = set != structs_.end()        ? set->second
-                          : argument.name == "size"    ? Fields{{"width", {double(shape.width)}}, {"height", {double(shape.height)}}}
-                          : model_.fields              ? model_.fields(argument.name, situation_)
-                                                       : Fields{};
+    const Fields fields = set != structs_.end() ? set->second
+                          : argument.name == "size"
+                              ? Fields{{"width", {double(shape.width)}}, {"height", {double(shape.height)}}}
+                          : model_.fields ? model_.fields(argument.name, situation_)
+                                          : Fields{};
     for (const ArgumentInfo& field : kernel_struct(argument.struct_name).fields) {
       const std::size_t count = std::size_t(components(field.type));
       const auto found = fields.find(field.name);
       if (found == fields.end() && !field.name.starts_with("pad")) {
-        throw std::logic_error("pass " + std::string(pass.name) + ": nothing sets " + std::string(argument.name) + "." + std::string(field.name));
+        throw std::logic_error("pass " + std::string(pass.name) + ": nothing sets " + std::string(argument.name) + "." +
+                               std::string(field.name));
       }
-      for (std::size_t i = 0; i < count; ++i) numbers.push_back(found != fields.end() && i < found->second.size() ? found->second[i] : 0);
+      for (std::size_t i = 0; i < count; ++i)
+        numbers.push_back(found != fields.end() && i < found->second.size() ? found->second[i] : 0);
     }
   }
   return numbers;
@@ -32,7 +35,8 @@ Table Binder::table(std::string_view argument, const PassInfo& reader) const {
     const auto output = std::ranges::find(pass.outputs, argument);
     if (output != pass.outputs.end()) return run(made.pass, made.shape)[std::size_t(output - pass.outputs.begin())];
   }
-  throw std::logic_error("pass " + std::string(reader.name) + ": no pass of model " + std::string(model_.name) + " makes table " + std::string(argument));
+  throw std::logic_error("pass " + std::string(reader.name) + ": no pass of model " + std::string(model_.name) +
+                         " makes table " + std::string(argument));
 }
 
 std::vector<Table> Binder::inputs(const PassInfo& pass) const {

@@ -15,7 +15,8 @@ namespace airlight {
 
 class Binder {
  public:
-  Binder(Engine& engine, const Model& model, const Situation& situation) : engine_(engine), model_(model), situation_(situation) {}
+  Binder(Engine& engine, const Model& model, const Situation& situation)
+      : engine_(engine), model_(model), situation_(situation) {}
 
   void set(std::string_view argument, Fields fields) { structs_[std::string(argument)] = std::move(fields); }
   void set(std::string_view argument, Table table) { tables_[std::string(argument)] = std::move(table); }

@@ -78,8 +78,13 @@ Fields camera_fields(const Camera& c) {
   if (c.projection == Projection::equirectangular) projection = 0, half_width = 1;
   if (c.projection == Projection::fisheye) projection = 1, half_width = c.field_of_view / 2;
   if (c.projection == Projection::cube) half_width = 1;
-  return {{"right", list(f.right)}, {"up", list(f.up)}, {"forward", list(f.forward)}, {"projection", {projection}},
-          {"half_width", {half_width}}, {"half_height", {half_width * aspect}}, {"pad", {0}}};
+  return {{"right", list(f.right)},
+          {"up", list(f.up)},
+          {"forward", list(f.forward)},
+          {"projection", {projection}},
+          {"half_width", {half_width}},
+          {"half_height", {half_width * aspect}},
+          {"pad", {0}}};
 }
 
 Direction view_direction(const Camera& camera, double u, double v) { return view_of(kernel_camera(camera), u, v); }
@@ -93,13 +98,15 @@ std::function<std::optional<Direction>(double u, double v)> viewer(const Camera&
   };
 }
 
-std::array<double, 4> disc_radiance(const DiscInPicture& disc, const std::array<double, 4>& exponent, double one_minus_cos) {
+std::array<double, 4> disc_radiance(const DiscInPicture& disc, const std::array<double, 4>& exponent,
+                                    double one_minus_cos) {
   const host_camera::Scalar4 limb(exponent[0], exponent[1], exponent[2], exponent[3]);
   const host_camera::Vec4 shape = disc_shape(limb, disc.radius, disc.edge, host_camera::Float(one_minus_cos));
   return {shape.x.v * disc.gain[0], shape.y.v * disc.gain[1], shape.z.v * disc.gain[2], shape.w.v * disc.gain[3]};
 }
 
-DiscInPicture disc_in_picture(const Camera& camera, Direction sun, double angular_radius, const std::array<double, 4>& exponent) {
+DiscInPicture disc_in_picture(const Camera& camera, Direction sun, double angular_radius,
+                              const std::array<double, 4>& exponent) {
   const host_camera::Camera kernel = kernel_camera(camera);
   // The picture goes on a block beyond its frame, so that a disc cut by the frame is not made brighter. An equirectangular one wraps.
   constexpr int block = 16;

@@ -20,9 +20,11 @@ struct DiscInPicture {
   std::array<double, 4> gain{};  ///< [1/sr]: 1 / (sum over pixels of shape x solid angle)
 };
 /// @param exponent  limb darkening at the four wavelengths
-DiscInPicture disc_in_picture(const Camera& camera, Direction sun, double angular_radius, const std::array<double, 4>& exponent);
+DiscInPicture disc_in_picture(const Camera& camera, Direction sun, double angular_radius,
+                              const std::array<double, 4>& exponent);
 
 /// The disc's radiance before the air, per solar irradiance [1/sr], at an angle from the Sun given by its 1 - cos.
-std::array<double, 4> disc_radiance(const DiscInPicture& disc, const std::array<double, 4>& exponent, double one_minus_cos);
+std::array<double, 4> disc_radiance(const DiscInPicture& disc, const std::array<double, 4>& exponent,
+                                    double one_minus_cos);
 
 }  // namespace airlight

@@ -19,7 +19,8 @@ struct Arguments {
 };
 
 inline bool is_uniform(KernelType type) {
-  return type == KernelType::Scalar || type == KernelType::Scalar4 || type == KernelType::Int || type == KernelType::Struct;
+  return type == KernelType::Scalar || type == KernelType::Scalar4 || type == KernelType::Int ||
+         type == KernelType::Struct;
 }
 
 class Random {
@@ -56,7 +57,8 @@ void for_each_input(const FunctionInfo& function, const PerComponent& per_compon
 inline Arguments draw_arguments(const FunctionInfo& function, int count, Random& random) {
   Arguments drawn{{}, {}, count};
   for_each_input(function, [&](const ArgumentInfo& a, bool uniform) {
-    if (uniform) drawn.uniforms.push_back(random.component(a));
+    if (uniform)
+      drawn.uniforms.push_back(random.component(a));
     else
       for (int i = 0; i < count; ++i) drawn.varying.push_back(random.component(a));
   });

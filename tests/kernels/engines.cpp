@@ -37,7 +37,9 @@ std::shared_ptr<Engine> make_gl(const std::string& name, std::span<const KernelG
   return name == "gl" ? make_gl_engine(groups) : make_gles_engine(groups);
 }
 #else
-std::shared_ptr<Engine> make_gl(const std::string&, std::span<const KernelGroup>) { throw std::runtime_error("built without OpenGL"); }
+std::shared_ptr<Engine> make_gl(const std::string&, std::span<const KernelGroup>) {
+  throw std::runtime_error("built without OpenGL");
+}
 #endif
 
 template <class Make>
@@ -65,12 +67,15 @@ std::vector<std::string> engine_names() {
 
 const FoundEngine& find_engine(const std::string& name) {
   static std::map<std::string, FoundEngine> kept;
-  return find(kept, name, [&] { return name.starts_with("gl") ? make_gl(name, kernel_groups()) : make_cpu_engine(name); });
+  return find(kept, name,
+              [&] { return name.starts_with("gl") ? make_gl(name, kernel_groups()) : make_cpu_engine(name); });
 }
 
 const FoundEngine& find_language_engine(const std::string& name) {
   static std::map<std::string, FoundEngine> kept;
-  return find(kept, name, [&] { return name.starts_with("gl") ? make_gl(name, language_groups()) : make_language_cpu_engine(name); });
+  return find(kept, name, [&] {
+    return name.starts_with("gl") ? make_gl(name, language_groups()) : make_language_cpu_engine(name);
+  });
 }
 
 }  // namespace test

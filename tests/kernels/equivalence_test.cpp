@@ -39,8 +39,8 @@ class ErrorTable : public testing::Environment {
   void TearDown() override {
     if (worst.empty()) return;
     const auto engines = engine_names();
-    std::printf("\nWorst error against double, |a - b| / max(|b|, scale), seed %llu\n%-34s %8s %8s", static_cast<unsigned long long>(seed),
-                "function", "scale", "bound");
+    std::printf("\nWorst error against double, |a - b| / max(|b|, scale), seed %llu\n%-34s %8s %8s",
+                static_cast<unsigned long long>(seed), "function", "scale", "bound");
     for (const std::string& e : engines) std::printf(" %8s", e.c_str());
     int above = 0;
     for (const auto& [name, errors] : worst) {
@@ -48,8 +48,10 @@ class ErrorTable : public testing::Environment {
       std::printf("\n%-34s %8.0e %8.0e", std::string(name).c_str(), f.scale, f.bound);
       for (const std::string& e : engines) {
         const auto found = errors.find(e);
-        if (found == errors.end()) std::printf(" %8s", "-");
-        else std::printf(" %8.1e", found->second);
+        if (found == errors.end())
+          std::printf(" %8s", "-");
+        else
+          std::printf(" %8.1e", found->second);
         above += found != errors.end() && !(found->second <= f.bound);
       }
     }
@@ -74,11 +76,13 @@ TEST_P(Equivalence, random_arguments_stay_within_the_stated_bound) {
     truth.evaluate(f, a.uniforms, a.varying, count, expected);
     engine.evaluate(f, a.uniforms, a.varying, count, got);
     for (std::size_t i = 0; i < got.size(); ++i) {
-      ASSERT_TRUE(std::isfinite(expected[i])) << "in double, result component " << i / count << ", set " << i % count << ", seed " << seed;
+      ASSERT_TRUE(std::isfinite(expected[i]))
+          << "in double, result component " << i / count << ", set " << i % count << ", seed " << seed;
       const double error = error_of(got[i], expected[i], f.scale);
       if (error > worst) worst = error;
-      ASSERT_LE(error, f.bound) << "result component " << i / count << ", draw " << draw << ", set " << i % count << ": " << got[i]
-                                << " in place of " << expected[i] << ", seed " << seed << "; " << f.file << ":" << f.line;
+      ASSERT_LE(error, f.bound) << "result component " << i / count << ", draw " << draw << ", set " << i % count
+                                << ": " << got[i] << " in place of " << expected[i] << ", seed " << seed << "; "
+                                << f.file << ":" << f.line;
     }
   }
   table.worst[f.name][GetParam().engine] = worst;
@@ -104,7 +108,8 @@ TEST_P(Decisions, differ_only_for_grazing_rays) {
     engine.evaluate(f, a.uniforms, a.varying, count, got);
     for (int set = 0; set < count; ++set) {
       bool differs = false;
-      for (std::size_t i = std::size_t(set); i < got.size(); i += count) differs = differs || error_of(got[i], expected[i], 1e6) > 1e-4;
+      for (std::size_t i = std::size_t(set); i < got.size(); i += count)
+        differs = differs || error_of(got[i], expected[i], 1e6) > 1e-4;
       apart += differs;
     }
   }
@@ -141,8 +146,8 @@ TEST_P(Edges, strange_arguments_end_and_nan_gives_nan_or_a_bounded_value) {
     const int set = int(i % count);
     if (!std::isnan(strange[set % kinds])) continue;
     // Bounded: finite, in float.
-    EXPECT_TRUE(!std::isinf(got[i])) << "result component " << i / count << ", NaN in component " << set / kinds
-                                                                << ": " << got[i] << "; " << f.file << ":" << f.line;
+    EXPECT_TRUE(!std::isinf(got[i])) << "result component " << i / count << ", NaN in component " << set / kinds << ": "
+                                     << got[i] << "; " << f.file << ":" << f.line;
   }
 }
 
@@ -152,7 +157,9 @@ TEST_P(Edges, limits_of_the_ranges_stay_within_the_stated_bound) {
   AIRLIGHT_ENGINE_OR_SKIP(find_engine, GetParam().engine);
   Random random;
   constexpr int draws = 16, count = 67;
-  const auto limit = [&](const ArgumentInfo& a) { return double(static_cast<float>(random.unit() < 0.5 ? a.low : a.high)); };
+  const auto limit = [&](const ArgumentInfo& a) {
+    return double(static_cast<float>(random.unit() < 0.5 ? a.low : a.high));
+  };
   std::vector<double> expected(std::size_t(result_count(f)) * count), got(expected.size());
   for (int draw = 0; draw < draws; ++draw) {
     Arguments a{{}, {}, count};
@@ -162,9 +169,11 @@ TEST_P(Edges, limits_of_the_ranges_stay_within_the_stated_bound) {
     find_engine("double").engine->evaluate(f, a.uniforms, a.varying, count, expected);
     engine.evaluate(f, a.uniforms, a.varying, count, got);
     for (std::size_t i = 0; i < got.size(); ++i) {
-      ASSERT_TRUE(std::isfinite(expected[i])) << "in double, result component " << i / count << "; " << f.file << ":" << f.line;
-      ASSERT_LE(error_of(got[i], expected[i], f.scale), f.bound) << "result component " << i / count << ", set " << i % count << ": " << got[i]
-                                                                 << " in place of " << expected[i] << "; " << f.file << ":" << f.line;
+      ASSERT_TRUE(std::isfinite(expected[i]))
+          << "in double, result component " << i / count << "; " << f.file << ":" << f.line;
+      ASSERT_LE(error_of(got[i], expected[i], f.scale), f.bound)
+          << "result component " << i / count << ", set " << i % count << ": " << got[i] << " in place of "
+          << expected[i] << "; " << f.file << ":" << f.line;
     }
   }
 }

@@ -1,14 +1,14 @@
 // What is the OpenGL engines' own: messages, limits, threads.
-#include <gtest/gtest.h>
+#include "engine/gl/gl_engine.h"
 
 #include <epoxy/egl.h>
+#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <functional>
 #include <thread>
 
 #include "airlight/error.h"
-#include "engine/gl/gl_engine.h"
 #include "engine/gl/shader_text.h"
 #include "engines.h"
 
@@ -29,7 +29,8 @@ std::string message_of(const std::function<void()>& work) {
 // A kernel of two files; the second has a mistake in its fourth line.
 constexpr KernelSource good{"kernels/broken/good.glsl", "#pragma once\nFN Float broken_good(Float x) { return x; }\n"};
 constexpr KernelSource bad{"kernels/broken/bad.glsl",
-                           "#pragma once\n#include \"broken/good.glsl\"\n// A comment.\nFN Vec4 broken_pass(Vec2 uv) { return missing(uv); }\n"};
+                           "#pragma once\n#include \"broken/good.glsl\"\n// A comment.\nFN Vec4 broken_pass(Vec2 uv) { "
+                           "return missing(uv); }\n"};
 constexpr std::string_view broken_outputs[] = {"broken"};
 
 TEST_P(OpenGl, a_kernel_that_does_not_compile_is_named_with_its_line) {
@@ -87,13 +88,17 @@ TEST_P(OpenGl, a_table_may_outlive_its_engine) {
   table = {};
 }
 
-INSTANTIATE_TEST_SUITE_P(engines, OpenGl, testing::Values("gl", "gles"), [](const auto& tested) { return tested.param; });
+INSTANTIATE_TEST_SUITE_P(engines, OpenGl, testing::Values("gl", "gles"),
+                         [](const auto& tested) { return tested.param; });
 
 TEST(CompilerLog, sources_become_files_whichever_way_the_driver_numbers_them) {
   const std::string files[] = {"kernels/prelude/prelude.glsl", "kernels/core/math.glsl", "main() of core.ln"};
-  EXPECT_EQ(name_files("1:45(12): error: `x' undeclared\n", files), "kernels/core/math.glsl:45: error: `x' undeclared\n");    // Mesa
-  EXPECT_EQ(name_files("1(45) : error C1503: undefined\n", files), "kernels/core/math.glsl:45 : error C1503: undefined\n");   // NVIDIA
-  EXPECT_EQ(name_files("ERROR: 2:7: 'y' : no such\nend", files), "main() of core.ln:7: 'y' : no such\nend");                  // AMD, ANGLE
+  EXPECT_EQ(name_files("1:45(12): error: `x' undeclared\n", files),
+            "kernels/core/math.glsl:45: error: `x' undeclared\n");  // Mesa
+  EXPECT_EQ(name_files("1(45) : error C1503: undefined\n", files),
+            "kernels/core/math.glsl:45 : error C1503: undefined\n");  // NVIDIA
+  EXPECT_EQ(name_files("ERROR: 2:7: 'y' : no such\nend", files),
+            "main() of core.ln:7: 'y' : no such\nend");  // AMD, ANGLE
   EXPECT_EQ(name_files("error: 12 things\n9:1: unknown source", files), "error: 12 things\n9:1: unknown source");
 }
 

@@ -9,8 +9,12 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
 
-const FunctionInfo& function(std::string_view name) { return *std::ranges::find(language_functions(), name, &FunctionInfo::kernel_name); }
-const PassInfo& pass(std::string_view name) { return *std::ranges::find(language_passes(), name, &PassInfo::kernel_name); }
+const FunctionInfo& function(std::string_view name) {
+  return *std::ranges::find(language_functions(), name, &FunctionInfo::kernel_name);
+}
+const PassInfo& pass(std::string_view name) {
+  return *std::ranges::find(language_passes(), name, &PassInfo::kernel_name);
+}
 
 using Columns = std::vector<std::vector<double>>;  // one a component
 
@@ -46,7 +50,8 @@ TEST_P(Language, max_and_min_give_the_bound_for_nan) {
   std::vector<double> suspects = numbers;
   suspects.push_back(nan);
   const Columns in = pairs(suspects, numbers);
-  const auto larger = evaluate(engine, "language_max", {}, in)[0], smaller = evaluate(engine, "language_min", {}, in)[0];
+  const auto larger = evaluate(engine, "language_max", {}, in)[0],
+             smaller = evaluate(engine, "language_min", {}, in)[0];
   for (std::size_t i = 0; i < in[0].size(); ++i) {
     const double a = static_cast<float>(in[0][i]), b = static_cast<float>(in[1][i]);
     EXPECT_EQ(static_cast<float>(larger[i]), static_cast<float>(a > b ? a : b)) << "max(" << a << ", " << b << ")";
@@ -58,7 +63,8 @@ TEST_P(Language, clamp_gives_the_lower_bound_for_nan) {
   AIRLIGHT_ENGINE_OR_SKIP(find_language_engine, GetParam());
   const std::vector<double> x = {nan, -inf, -2, -0.5, 0, 0.25, 2, inf};
   const std::vector<double> expected = {-1, -1, -1, -0.5, 0, 0.25, 0.5, 0.5};
-  EXPECT_EQ(evaluate(engine, "language_clamp", {}, {x, std::vector<double>(8, -1.0), std::vector<double>(8, 0.5)})[0], expected);
+  EXPECT_EQ(evaluate(engine, "language_clamp", {}, {x, std::vector<double>(8, -1.0), std::vector<double>(8, 0.5)})[0],
+            expected);
   // max(x, -1/2) + min(x, 1/2) + clamp(x, -1/2, 1/2), each component on its own
   const std::vector<double> sums = {-0.5, -inf, -3, -1.5, 0, 0.75, 3, inf};
   const std::vector<double> of_nan = {-0.5 + 0.5 - 0.5};
@@ -78,7 +84,8 @@ TEST_P(Language, comparisons_with_nan_are_false_and_their_negation_true) {
   std::vector<double> values = numbers;
   values.push_back(nan);
   const Columns in = pairs(values, values);
-  const auto holds = evaluate(engine, "language_compare", {}, in)[0], alike = evaluate(engine, "language_alike", {}, in)[0];
+  const auto holds = evaluate(engine, "language_compare", {}, in)[0],
+             alike = evaluate(engine, "language_alike", {}, in)[0];
   for (std::size_t i = 0; i < in[0].size(); ++i) {
     const double a = static_cast<float>(in[0][i]), b = static_cast<float>(in[1][i]);
     EXPECT_EQ(holds[i], (a < b) + 2 * (a <= b) + 4 * (a > b) + 8 * (a >= b)) << a << " and " << b;
@@ -168,7 +175,9 @@ struct Grid {
   /// A texel's channel, places beyond the edge being those of the edge.
   double at(double x, double y, double z, int channel) const {
     const auto inside = [](double v, int size) { return std::size_t(std::clamp(v, 0.0, double(size - 1))); };
-    return rgba[4 * ((inside(z, shape.depth) * shape.height + inside(y, shape.height)) * shape.width + inside(x, shape.width)) + channel];
+    return rgba[4 * ((inside(z, shape.depth) * shape.height + inside(y, shape.height)) * shape.width +
+                     inside(x, shape.width)) +
+                channel];
   }
   /// Linear between texel centres, whose coordinates are whole here. NaN counts as the first.
   double linear(double x, double y, double z, int channel) const {
@@ -176,8 +185,10 @@ struct Grid {
     x = place(x, shape.width), y = place(y, shape.height), z = place(z, shape.depth);
     double sum = 0;
     for (int corner = 0; corner < 8; ++corner) {
-      const double i = std::floor(x) + (corner & 1), j = std::floor(y) + (corner >> 1 & 1), k = std::floor(z) + (corner >> 2);
-      const double weight = std::max(0.0, 1 - std::fabs(x - i)) * std::max(0.0, 1 - std::fabs(y - j)) * std::max(0.0, 1 - std::fabs(z - k));
+      const double i = std::floor(x) + (corner & 1), j = std::floor(y) + (corner >> 1 & 1),
+                   k = std::floor(z) + (corner >> 2);
+      const double weight = std::max(0.0, 1 - std::fabs(x - i)) * std::max(0.0, 1 - std::fabs(y - j)) *
+                            std::max(0.0, 1 - std::fabs(z - k));
       if (weight > 0) sum += weight * at(i, j, k, channel);
     }
     return sum;
@@ -209,7 +220,9 @@ template <class Expect>
 void compare(const Grid& places, const std::vector<double>& got, double tolerance, const Expect& expect) {
   for (std::size_t i = 0; i < places.shape.texels(); ++i) {
     const double* p = &places.rgba[4 * i];
-    for (int c = 0; c < 4; ++c) ASSERT_NEAR(got[4 * i + c], expect(p[0], p[1], p[2], c), tolerance) << "at " << p[0] << ", " << p[1] << ", " << p[2];
+    for (int c = 0; c < 4; ++c)
+      ASSERT_NEAR(got[4 * i + c], expect(p[0], p[1], p[2], c), tolerance)
+          << "at " << p[0] << ", " << p[1] << ", " << p[2];
   }
 }
 
@@ -223,10 +236,13 @@ TEST_P(Language, fetch_takes_the_texel_at_a_whole_place) {
   for (Shape shape : odd_shapes) {
     const Grid grid = random_grid(shape, random), places = random_places(shape.width, shape.height, 1, random);
     const Table inputs[] = {engine.upload(places.shape, places.rgba), engine.upload(shape, grid.rgba)};
-    const auto whole = [](double v, int size) { return std::isnan(v) ? 0.0 : std::floor(std::clamp(v, 0.0, double(size - 1))); };
-    compare(places, read(engine, engine.run(pass("language_fetch_pass"), {}, inputs, places.shape)[0]), 0, [&](double x, double y, double, int c) {
-      return grid.at(whole(x, shape.width), whole(y, shape.height), 0, c);
-    });
+    const auto whole = [](double v, int size) {
+      return std::isnan(v) ? 0.0 : std::floor(std::clamp(v, 0.0, double(size - 1)));
+    };
+    compare(places, read(engine, engine.run(pass("language_fetch_pass"), {}, inputs, places.shape)[0]), 0,
+            [&](double x, double y, double, int c) {
+              return grid.at(whole(x, shape.width), whole(y, shape.height), 0, c);
+            });
   }
 }
 
@@ -237,7 +253,9 @@ TEST_P(Language, lookup_is_bilinear_between_texel_centres) {
     const Grid grid = random_grid(shape, random), places = random_places(1, 1, 1, random);
     const Table inputs[] = {engine.upload(places.shape, places.rgba), engine.upload(shape, grid.rgba)};
     compare(places, read(engine, engine.run(pass("language_lookup2_pass"), {}, inputs, places.shape)[0]), rounding,
-            [&](double x, double y, double, int c) { return grid.linear(x * shape.width - 0.5, y * shape.height - 0.5, 0, c); });
+            [&](double x, double y, double, int c) {
+              return grid.linear(x * shape.width - 0.5, y * shape.height - 0.5, 0, c);
+            });
   }
 }
 
@@ -248,7 +266,9 @@ TEST_P(Language, lookup_in_a_volume_is_trilinear) {
     const Grid grid = random_grid(shape, random), places = random_places(1, 1, 1, random);
     const Table inputs[] = {engine.upload(places.shape, places.rgba), engine.upload(shape, grid.rgba)};
     compare(places, read(engine, engine.run(pass("language_lookup3_pass"), {}, inputs, places.shape)[0]), rounding,
-            [&](double x, double y, double z, int c) { return grid.linear(x * shape.width - 0.5, y * shape.height - 0.5, z * shape.depth - 0.5, c); });
+            [&](double x, double y, double z, int c) {
+              return grid.linear(x * shape.width - 0.5, y * shape.height - 0.5, z * shape.depth - 0.5, c);
+            });
   }
 }
 
@@ -329,11 +349,13 @@ TEST_P(Language, strips_of_a_picture_make_up_the_whole) {
   std::vector<float> strips(4 * shape.texels());
   for (int begin = 0; begin < shape.height; begin += 5) {
     const int end = std::min(begin + 5, shape.height);
-    engine.draw(pass("language_volume_pass"), {}, {}, shape, begin, end,
-                std::span(strips).subspan(4 * std::size_t(begin) * shape.width, 4 * std::size_t(end - begin) * shape.width));
+    engine.draw(
+        pass("language_volume_pass"), {}, {}, shape, begin, end,
+        std::span(strips).subspan(4 * std::size_t(begin) * shape.width, 4 * std::size_t(end - begin) * shape.width));
   }
   const auto whole = read(engine, engine.run(pass("language_volume_pass"), {}, {}, shape)[0]);
-  for (std::size_t i = 0; i < whole.size(); ++i) ASSERT_EQ(strips[i], static_cast<float>(whole[i])) << "texel " << i / 4;
+  for (std::size_t i = 0; i < whole.size(); ++i)
+    ASSERT_EQ(strips[i], static_cast<float>(whole[i])) << "texel " << i / 4;
 }
 
 TEST_P(Language, tables_keep_what_was_uploaded) {
@@ -350,7 +372,8 @@ std::vector<std::string> all_engines() {
   names.insert(names.begin(), "double");
   return names;
 }
-INSTANTIATE_TEST_SUITE_P(engines, Language, testing::ValuesIn(all_engines()), [](const auto& tested) { return tested.param; });
+INSTANTIATE_TEST_SUITE_P(engines, Language, testing::ValuesIn(all_engines()),
+                         [](const auto& tested) { return tested.param; });
 
 }  // namespace
 }  // namespace airlight::test

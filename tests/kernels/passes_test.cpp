@@ -97,8 +97,10 @@ TEST_P(Passes, answers_and_pictures_are_those_of_double) {
       std::vector<Sight> points;
       for (const Ray& r : rays) points.push_back({r.view, r.distance, 0.25});
       const std::vector<float> edges{-9000, -8999, 3000, 3100, -9000, -8999, 3000, 3100};
-      const AirShadows shadows{2, 2, std::make_shared<const std::vector<float>>(edges), {1e-6, 0, 0, 0.5}, {0, 1e-6, 0, 0.5}, 3100, 16};
-      std::vector<double> light(points.size() * 4), through(light.size()), expected_light(light.size()), expected_through(light.size());
+      const AirShadows shadows{
+          2, 2, std::make_shared<const std::vector<float>>(edges), {1e-6, 0, 0, 0.5}, {0, 1e-6, 0, 0.5}, 3100, 16};
+      std::vector<double> light(points.size() * 4), through(light.size()), expected_light(light.size()),
+          expected_through(light.size());
       truth.haze(500, direction(1, 0.1), points, wavelengths, &shadows, expected_light, expected_through);
       sky.haze(500, direction(1, 0.1), points, wavelengths, &shadows, light, through);
       expect_close("haze", differences(light, expected_light));
@@ -108,12 +110,13 @@ TEST_P(Passes, answers_and_pictures_are_those_of_double) {
       const Camera camera{.width = 48, .height = 24, .altitude = altitude};
       std::vector<float> expected, got;
       const auto render = [&](const Sky& from, std::vector<float>& into) {
-        from.render(camera, direction(0.3, 0.2), {.sun_disc = false, .wavelengths = {}}, [&](int, int, std::span<const float> rgba) {
-          for (std::size_t i = 0; i < rgba.size(); ++i) {
-            if (i % 4 != 3) into.push_back(rgba[i]);
-          }
-          return true;
-        });
+        from.render(camera, direction(0.3, 0.2), {.sun_disc = false, .wavelengths = {}},
+                    [&](int, int, std::span<const float> rgba) {
+                      for (std::size_t i = 0; i < rgba.size(); ++i) {
+                        if (i % 4 != 3) into.push_back(rgba[i]);
+                      }
+                      return true;
+                    });
       };
       render(truth, expected);
       render(sky, got);
@@ -122,8 +125,9 @@ TEST_P(Passes, answers_and_pictures_are_those_of_double) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(models, Passes, testing::ValuesIn(cases()),
-                         [](const auto& tested) { return std::string(tested.param.model) + "_" + tested.param.engine; });
+INSTANTIATE_TEST_SUITE_P(models, Passes, testing::ValuesIn(cases()), [](const auto& tested) {
+  return std::string(tested.param.model) + "_" + tested.param.engine;
+});
 
 }  // namespace
 }  // namespace airlight::test

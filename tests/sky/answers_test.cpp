@@ -18,7 +18,8 @@ TEST(Answers, illuminances_and_zenith_luminance_are_those_of_a_clear_day) {
   // (CIE 110-1994; IES Lighting Handbook; docs/units.md says more).
   const Sky sky(built_in_atmosphere("earth"), "skyview");
   const Ray overhead{0, {0, 0, 1}, {0, 0, 1}};
-  const double from_sun = photometric(sky, Quantity::sun_irradiance, overhead), from_sky = photometric(sky, Quantity::sky_irradiance, overhead);
+  const double from_sun = photometric(sky, Quantity::sun_irradiance, overhead),
+               from_sky = photometric(sky, Quantity::sky_irradiance, overhead);
   EXPECT_GT(from_sky, 8e3);
   EXPECT_LT(from_sky, 20e3);
   EXPECT_GT(from_sun + from_sky, 105e3);
@@ -64,7 +65,9 @@ TEST(Answers, below_the_datum_the_air_of_altitude_0_continues) {
   // The Dead Sea's shore: the sky differs from that at the sea by 430 m of the densest air (a fifth of the aerosol and a twentieth of the molecules), and is not black.
   const Sky sky(built_in_atmosphere("earth"), "skyview");
   const double w[] = {550};
-  std::vector<Ray> rays{{0, toward(0, 45), toward(90, 50)}, {-430, toward(0, 45), toward(90, 50)}, {-430, toward(0, -45), toward(90, 50)}};
+  std::vector<Ray> rays{{0, toward(0, 45), toward(90, 50)},
+                        {-430, toward(0, 45), toward(90, 50)},
+                        {-430, toward(0, -45), toward(90, 50)}};
   std::vector<double> out(3);
   sky.evaluate(Quantity::radiance, rays, w, out);
   EXPECT_GT(out[1], out[0]);
@@ -77,13 +80,15 @@ TEST(Answers, transmittance_is_multiplicative_along_a_ray) {
   const double w[] = {440, 550, 680, 760}, R = sky.atmosphere().planet.ground_radius;
   const double zenith = 80 * degree, first = 20e3, second = 45e3;
   // The second part starts where the first ends, in the frame there.
-  const double r = std::sqrt(R * R + first * first + 2 * R * first * std::cos(zenith)), mu = (R * std::cos(zenith) + first) / r;
+  const double r = std::sqrt(R * R + first * first + 2 * R * first * std::cos(zenith)),
+               mu = (R * std::cos(zenith) + first) / r;
   std::vector<Ray> rays{{0, direction(0, std::numbers::pi / 2 - zenith), {0, 0, 1}, first},
                         {r - R, direction(0, std::asin(mu)), {0, 0, 1}, second},
                         {0, direction(0, std::numbers::pi / 2 - zenith), {0, 0, 1}, first + second}};
   std::vector<double> t(12);
   sky.evaluate(Quantity::transmittance, rays, w, t);
-  for (std::size_t k = 0; k < 4; ++k) EXPECT_NEAR(t[k] * t[4 + k], t[8 + k], 1e-6);  // quadrature; rounding is far below
+  for (std::size_t k = 0; k < 4; ++k)
+    EXPECT_NEAR(t[k] * t[4 + k], t[8 + k], 1e-6);  // quadrature; rounding is far below
 }
 
 TEST(Answers, light_is_linear_in_the_suns_irradiance) {

@@ -1,8 +1,9 @@
+#include "optics/colour.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "optics/colour.h"
 #include "scenes.h"
 
 namespace airlight::test {

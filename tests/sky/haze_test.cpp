@@ -19,8 +19,10 @@ const std::vector<double> wavelengths{440, 550, 610, 680};
 struct Haze {
   std::vector<double> inscatter, transmittance;
 };
-Haze haze(const Sky& sky, double altitude, const Direction& sun, std::span<const Sight> points, const AirShadows* shadows = nullptr) {
-  Haze h{std::vector<double>(points.size() * wavelengths.size()), std::vector<double>(points.size() * wavelengths.size())};
+Haze haze(const Sky& sky, double altitude, const Direction& sun, std::span<const Sight> points,
+          const AirShadows* shadows = nullptr) {
+  Haze h{std::vector<double>(points.size() * wavelengths.size()),
+         std::vector<double>(points.size() * wavelengths.size())};
   sky.haze(altitude, sun, points, wavelengths, shadows, h.inscatter, h.transmittance);
   return h;
 }
@@ -33,7 +35,8 @@ std::vector<Sight> land_sights(double altitude, int count, unsigned seed) {
   while (int(points.size()) < count) {
     const double elevation = (unit(random) - 0.6) * 20 * deg;
     const Sight s{direction(2 * std::numbers::pi * unit(random), elevation), std::pow(10, 5.3 * unit(random)), 0.5};
-    const double r = 6.371e6 + altitude, end = std::hypot(r + s.distance * s.view[2], s.distance * std::hypot(s.view[0], s.view[1]));
+    const double r = 6.371e6 + altitude,
+                 end = std::hypot(r + s.distance * s.view[2], s.distance * std::hypot(s.view[0], s.view[1]));
     if (end > 6.371e6 && std::sin(elevation) * r * s.distance > -1e12) points.push_back(s);
   }
   return points;
@@ -65,8 +68,10 @@ TEST(haze, the_tables_agree_with_marched_rays) {
         }
         std::ranges::sort(errors);
         const double middle = errors[errors.size() / 2], most = errors[errors.size() * 95 / 100];
-        std::printf("%-11s %6.0f m, sun %5.1f: path radiance median %.2f %%, 95 %% below %.2f %%, worst %.1f %%; transmittance worst %.4f\n", air,
-                    altitude, elevation, 100 * middle, 100 * most, 100 * errors.back(), worst_through);
+        std::printf(
+            "%-11s %6.0f m, sun %5.1f: path radiance median %.2f %%, 95 %% below %.2f %%, worst %.1f %%; transmittance "
+            "worst %.4f\n",
+            air, altitude, elevation, 100 * middle, 100 * most, 100 * errors.back(), worst_through);
         EXPECT_LT(middle, 0.01);
         EXPECT_LT(most, 0.05);
         EXPECT_LT(worst_through, 0.01);
@@ -79,7 +84,9 @@ TEST(haze, the_tables_agree_with_marched_rays) {
 AirShadows everywhere(float dark_below) {
   std::vector<float> edges;
   for (int i = 0; i < 4; ++i) edges.insert(edges.end(), {dark_below, dark_below + 1});
-  return {2, 2, std::make_shared<const std::vector<float>>(edges), {1e-7, 0, 0, 0.5}, {0, 1e-7, 0, 0.5}, dark_below + 1.0, 64};
+  return {
+      2, 2, std::make_shared<const std::vector<float>>(edges), {1e-7, 0, 0, 0.5}, {0, 1e-7, 0, 0.5}, dark_below + 1.0,
+      64};
 }
 
 TEST(haze, shadows_that_reach_nothing_change_nothing) {
@@ -101,7 +108,8 @@ TEST(haze, whole_shadow_leaves_the_light_of_higher_orders) {
   const Direction sun = direction(0.5, 20 * deg);
   const std::vector<Sight> points = land_sights(500, 300, 5);
   const AirShadows all = everywhere(40000);
-  const Haze open = haze(sky, 500, sun, points), shaded = haze(sky, 500, sun, points, &all), first = haze(once, 500, sun, points);
+  const Haze open = haze(sky, 500, sun, points), shaded = haze(sky, 500, sun, points, &all),
+             first = haze(once, 500, sun, points);
   std::vector<double> errors;
   for (std::size_t i = 0; i < open.inscatter.size(); ++i) {
     ASSERT_GT(shaded.inscatter[i], 0);
@@ -124,9 +132,11 @@ TEST(haze, a_shadow_over_half_of_a_ray_takes_that_half) {
       edges.insert(edges.end(), {edge, edge + 1});
     }
   }
-  const AirShadows wall{400, 2, std::make_shared<const std::vector<float>>(edges), {1.0 / 40000, 0, 0, 0.5}, {0, 1e-6, 0, 0.5}, 5000, 64};
+  const AirShadows wall{
+      400, 2, std::make_shared<const std::vector<float>>(edges), {1.0 / 40000, 0, 0, 0.5}, {0, 1e-6, 0, 0.5}, 5000, 64};
   const std::vector<Sight> near{{direction(90 * deg, 0), 10000, 0.5}}, far{{direction(90 * deg, 0), 20000, 0.5}};
-  const Haze lit = haze(sky, 500, sun, near), whole = haze(sky, 500, sun, far), shaded = haze(sky, 500, sun, far, &wall);
+  const Haze lit = haze(sky, 500, sun, near), whole = haze(sky, 500, sun, far),
+             shaded = haze(sky, 500, sun, far, &wall);
   AirShadows all = everywhere(40000);
   const Haze dark = haze(sky, 500, sun, far, &all), dark_near = haze(sky, 500, sun, near, &all);
   for (std::size_t k = 0; k < 4; ++k) {
@@ -153,7 +163,8 @@ TEST(haze, the_sky_behind_is_that_of_the_picture) {
 TEST(haze, bad_questions_are_named) {
   const Sky sky(built_in_atmosphere("earth"), "skyview"), once(built_in_atmosphere("earth"), "single");
   const Direction sun = direction(0, 0.5);
-  const std::vector<Sight> good{{direction(0, 0), 1000}}, negative{{direction(0, 0), -1}}, aside{{direction(0, 0), 1000, 1.5}};
+  const std::vector<Sight> good{{direction(0, 0), 1000}}, negative{{direction(0, 0), -1}},
+      aside{{direction(0, 0), 1000, 1.5}};
   EXPECT_THROW(haze(sky, 2, sun, negative), InputError);
   EXPECT_THROW(haze(sky, 2, sun, aside), InputError);
   AirShadows map = everywhere(0);

@@ -19,10 +19,13 @@ Camera panorama(int width, double altitude = 0) {
 
 double solid_angle(const Camera& c, int x, int y) {
   // By differences of the viewing directions: no formula of any projection.
-  const auto at = [&](double dx, double dy) { return view_direction(c, (x + 0.5 + dx) / c.width, (y + 0.5 + dy) / c.height); };
+  const auto at = [&](double dx, double dy) {
+    return view_direction(c, (x + 0.5 + dx) / c.width, (y + 0.5 + dy) / c.height);
+  };
   const Direction a = at(-0.5, 0), b = at(0.5, 0), e = at(0, -0.5), f = at(0, 0.5);
   const double u[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]}, v[3] = {f[0] - e[0], f[1] - e[1], f[2] - e[2]};
-  return std::sqrt(std::pow(u[1] * v[2] - u[2] * v[1], 2) + std::pow(u[2] * v[0] - u[0] * v[2], 2) + std::pow(u[0] * v[1] - u[1] * v[0], 2));
+  return std::sqrt(std::pow(u[1] * v[2] - u[2] * v[1], 2) + std::pow(u[2] * v[0] - u[0] * v[2], 2) +
+                   std::pow(u[0] * v[1] - u[1] * v[0], 2));
 }
 
 struct Case {
@@ -36,7 +39,8 @@ class Disc : public testing::TestWithParam<Case> {};
 TEST_P(Disc, integral_over_the_picture_is_the_direct_irradiance) {
   const Sky sky(built_in_atmosphere("earth"));
   const Direction sun = toward(20, 40);
-  const auto with = draw(sky, GetParam().camera, sun), without = draw(sky, GetParam().camera, sun, {.sun_disc = false, .wavelengths = {}});
+  const auto with = draw(sky, GetParam().camera, sun),
+             without = draw(sky, GetParam().camera, sun, {.sun_disc = false, .wavelengths = {}});
   double sum = 0;
   for (int y = 0; y < GetParam().camera.height; ++y) {
     for (int x = 0; x < GetParam().camera.width; ++x) {
@@ -77,9 +81,11 @@ Camera cube(int width) {
   return c;
 }
 INSTANTIATE_TEST_SUITE_P(Pictures, Disc,
-                         testing::Values(Case{"panorama of 64", panorama(64)}, Case{"panorama of 500", panorama(500)}, Case{"panorama of 2048", panorama(2048)},
-                                         Case{"perspective of 40", flat(40, 40, 60, 15)}, Case{"telephoto", flat(400, 300, 30, 20)},
-                                         Case{"fisheye of 33", fisheye(33)}, Case{"fisheye of 512", fisheye(512)}, Case{"cube face of 16", cube(16)},
+                         testing::Values(Case{"panorama of 64", panorama(64)}, Case{"panorama of 500", panorama(500)},
+                                         Case{"panorama of 2048", panorama(2048)},
+                                         Case{"perspective of 40", flat(40, 40, 60, 15)},
+                                         Case{"telephoto", flat(400, 300, 30, 20)}, Case{"fisheye of 33", fisheye(33)},
+                                         Case{"fisheye of 512", fisheye(512)}, Case{"cube face of 16", cube(16)},
                                          Case{"cube face of 256", cube(256)}));
 
 TEST(Picture, agrees_with_rays_asked_one_by_one) {
@@ -93,7 +99,8 @@ TEST(Picture, agrees_with_rays_asked_one_by_one) {
     const auto pixels = draw(sky, camera, sun, {.sun_disc = false, .wavelengths = {}});
     std::vector<Ray> rays;
     for (int y = 0; y < camera.height; ++y) {
-      for (int x = 0; x < camera.width; ++x) rays.push_back({300, view_direction(camera, (x + 0.5) / camera.width, (y + 0.5) / camera.height), sun});
+      for (int x = 0; x < camera.width; ++x)
+        rays.push_back({300, view_direction(camera, (x + 0.5) / camera.width, (y + 0.5) / camera.height), sun});
     }
     std::vector<double> radiance(rays.size() * 4), errors;
     sky.evaluate(Quantity::radiance, rays, quad, radiance);
@@ -105,7 +112,7 @@ TEST(Picture, agrees_with_rays_asked_one_by_one) {
       errors.push_back(std::abs(luminance(&pixels[4 * i]) - y) / std::max(y, 1e-3 * brightest));
     }
     std::ranges::sort(errors);
-    EXPECT_LT(errors[errors.size() / 2], 0.003) << "sun at " << elevation;        // bilinear interpolation over 128 x 160
+    EXPECT_LT(errors[errors.size() / 2], 0.003) << "sun at " << elevation;  // bilinear interpolation over 128 x 160
     EXPECT_LT(errors[errors.size() * 99 / 100], 0.03) << "sun at " << elevation;  // the rows next to the horizon
   }
 }
@@ -114,16 +121,19 @@ TEST(Picture, does_not_switch_visibly_where_tables_give_way_to_marching) {
   const Sky sky(built_in_atmosphere("earth"));
   const double limit = 0.3 * sky.atmosphere().planet.top_altitude;
   for (double elevation : {40.0, -4.0}) {
-    const auto below = draw(sky, panorama(128, limit - 1), toward(0, elevation), {.sun_disc = false, .wavelengths = {}});
-    const auto above = draw(sky, panorama(128, limit + 1), toward(0, elevation), {.sun_disc = false, .wavelengths = {}});
+    const auto below =
+        draw(sky, panorama(128, limit - 1), toward(0, elevation), {.sun_disc = false, .wavelengths = {}});
+    const auto above =
+        draw(sky, panorama(128, limit + 1), toward(0, elevation), {.sun_disc = false, .wavelengths = {}});
     double brightest = 0;
     for (std::size_t i = 0; i < above.size(); i += 4) brightest = std::max(brightest, luminance(&above[i]));
     std::vector<double> errors;
     for (std::size_t i = 0; i < above.size(); i += 4) {
-      errors.push_back(std::abs(luminance(&below[i]) - luminance(&above[i])) / std::max(luminance(&above[i]), 0.01 * brightest));
+      errors.push_back(std::abs(luminance(&below[i]) - luminance(&above[i])) /
+                       std::max(luminance(&above[i]), 0.01 * brightest));
     }
     std::ranges::sort(errors);
-    EXPECT_LT(errors[errors.size() / 2], 0.004) << elevation;        // far below the 1 % that an eye sees between two frames
+    EXPECT_LT(errors[errors.size() / 2], 0.004) << elevation;  // far below the 1 % that an eye sees between two frames
     EXPECT_LT(errors[errors.size() * 98 / 100], 0.04) << elevation;  // pixels across the limb
   }
 }
@@ -132,7 +142,9 @@ TEST(Picture, has_no_seam_at_the_suns_azimuth_or_opposite) {
   const Sky sky(built_in_atmosphere("earth"));
   Camera camera = panorama(720);
   const auto pixels = draw(sky, camera, toward(0, 15), {.sun_disc = false, .wavelengths = {}});
-  const auto y_at = [&](int x, int y) { return luminance(&pixels[4 * (std::size_t(y) * 720 + std::size_t((x + 720) % 720))]); };
+  const auto y_at = [&](int x, int y) {
+    return luminance(&pixels[4 * (std::size_t(y) * 720 + std::size_t((x + 720) % 720))]);
+  };
   for (int y = 4; y < 170; y += 5) {
     for (int seam : {360, 0}) {
       // Mirror symmetry across the seam, and no kink: the step over it is no larger than its neighbours' plus 0.2 %.
@@ -176,7 +188,8 @@ TEST(Picture, reruns_only_the_passes_that_something_changed_for) {
 TEST(Picture, stops_when_told_to) {
   const Sky sky(built_in_atmosphere("earth"));
   int strips = 0;
-  EXPECT_FALSE(sky.render(panorama(4096), toward(0, 30), {}, [&](int, int, std::span<const float>) { return ++strips < 2; }));
+  EXPECT_FALSE(
+      sky.render(panorama(4096), toward(0, 30), {}, [&](int, int, std::span<const float>) { return ++strips < 2; }));
   EXPECT_EQ(strips, 2);
 }
 

@@ -17,7 +17,8 @@ Atmosphere random_planet(std::mt19937& random) {
   a.planet.albedo = unit(random);
   a.sun.angular_radius = logarithmic(1e-4, 0.05);
   for (Constituent& c : a.constituents) {
-    if (std::holds_alternative<ExponentialProfile>(c.profile)) c.profile = ExponentialProfile{logarithmic(10, a.planet.top_altitude)};
+    if (std::holds_alternative<ExponentialProfile>(c.profile))
+      c.profile = ExponentialProfile{logarithmic(10, a.planet.top_altitude)};
     c.absorption = 1e-6 * unit(random);
     c.scattering = c.scattering.scaled(logarithmic(1e-2, 1e3));  // from nearly nothing to dense fog
   }
@@ -38,7 +39,10 @@ std::vector<Ray> random_rays(std::mt19937& random, const Atmosphere& a, int coun
   for (int i = 0; i < count; ++i) {
     Ray r;
     const double kind = unit(random);
-    r.altitude = kind < 0.1 ? 0 : kind < 0.15 ? depths[i % 2] : kind < 0.2 ? a.planet.top_altitude : std::pow(10, -3 + 12 * unit(random));
+    r.altitude = kind < 0.1    ? 0
+                 : kind < 0.15 ? depths[i % 2]
+                 : kind < 0.2  ? a.planet.top_altitude
+                               : std::pow(10, -3 + 12 * unit(random));
     r.view = anywhere();
     r.sun = anywhere();
     if (unit(random) < 0.1) r.sun = r.view;
@@ -73,9 +77,10 @@ TEST_P(Robustness, twenty_thousand_random_views_are_finite_and_never_negative) {
       for (std::size_t i = 0; i < out.size(); ++i) {
         const Ray& r = rays[i / 4];
         ASSERT_TRUE(std::isfinite(out[i]) && out[i] >= 0 && out[i] < 1e4)
-            << out[i] << " for quantity " << int(q) << ", planet " << p << " (radius " << a.planet.ground_radius << ", top " << a.planet.top_altitude
-            << "), altitude " << r.altitude << ", view " << r.view[0] << ' ' << r.view[1] << ' ' << r.view[2] << ", sun " << r.sun[0] << ' '
-            << r.sun[1] << ' ' << r.sun[2] << ", distance " << r.distance << ", seed " << seed;
+            << out[i] << " for quantity " << int(q) << ", planet " << p << " (radius " << a.planet.ground_radius
+            << ", top " << a.planet.top_altitude << "), altitude " << r.altitude << ", view " << r.view[0] << ' '
+            << r.view[1] << ' ' << r.view[2] << ", sun " << r.sun[0] << ' ' << r.sun[1] << ' ' << r.sun[2]
+            << ", distance " << r.distance << ", seed " << seed;
         if (q == Quantity::transmittance) {
           ASSERT_LE(out[i], 1);
         }
@@ -95,8 +100,12 @@ TEST_P(Robustness, twenty_thousand_random_views_are_finite_and_never_negative) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Models, Robustness, testing::Combine(testing::Values("double", "simd", "gl"), testing::Values("single", "skyview")),
-                         [](const auto& parameter) { return std::string(std::get<0>(parameter.param)) + "_" + std::get<1>(parameter.param); });
+INSTANTIATE_TEST_SUITE_P(Models, Robustness,
+                         testing::Combine(testing::Values("double", "simd", "gl"),
+                                          testing::Values("single", "skyview")),
+                         [](const auto& parameter) {
+                           return std::string(std::get<0>(parameter.param)) + "_" + std::get<1>(parameter.param);
+                         });
 
 }  // namespace
 }  // namespace airlight::test

@@ -9,9 +9,12 @@ namespace airlight::test {
 
 inline constexpr double degree = std::numbers::pi / 180;
 
-inline Direction toward(double azimuth_deg, double elevation_deg) { return direction(azimuth_deg * degree, elevation_deg * degree); }
+inline Direction toward(double azimuth_deg, double elevation_deg) {
+  return direction(azimuth_deg * degree, elevation_deg * degree);
+}
 
-inline std::vector<float> draw(const Sky& sky, const Camera& camera, Direction sun, const PictureOptions& options = {}) {
+inline std::vector<float> draw(const Sky& sky, const Camera& camera, Direction sun,
+                               const PictureOptions& options = {}) {
   std::vector<float> pixels;
   sky.render(camera, sun, options, [&](int, int, std::span<const float> rgba) {
     pixels.insert(pixels.end(), rgba.begin(), rgba.end());

@@ -37,7 +37,8 @@ TEST(surface, a_level_place_gets_the_sky_s_irradiance_and_the_sun_s) {
         sky.evaluate(Quantity::sun_irradiance, std::span(&ray, 1), wavelengths, sun);
         for (std::size_t k = 0; k < 4; ++k) {
           // The same sum, interpolated between altitudes and Suns.
-          EXPECT_NEAR(lit.skylight[k], skylight[k], 0.02 * skylight[k]) << model << ' ' << altitude << " m, sun " << elevation;
+          EXPECT_NEAR(lit.skylight[k], skylight[k], 0.02 * skylight[k])
+              << model << ' ' << altitude << " m, sun " << elevation;
           const double expected = 0.5 / pi * (lit.skylight[k] + sun[k] * std::max(mu_s, 0.0));
           EXPECT_NEAR(lit.radiance[k], expected, 2e-3 * expected);
         }
@@ -83,7 +84,8 @@ TEST(surface, a_wall_gets_the_light_of_its_half_of_the_sky) {
 TEST(surface, what_faces_away_or_lies_in_shadow_gets_skylight_alone) {
   const Sky sky(built_in_atmosphere("earth"), "skyview");
   const double mu_s = 0.5;
-  const SurfacePoint level{0, mu_s, mu_s}, shadowed{0, mu_s, mu_s, {0, 0, 1}, 0}, half{0, mu_s, mu_s, {0, 0, 1}, 0.5}, away{0, mu_s, -0.2};
+  const SurfacePoint level{0, mu_s, mu_s}, shadowed{0, mu_s, mu_s, {0, 0, 1}, 0}, half{0, mu_s, mu_s, {0, 0, 1}, 0.5},
+      away{0, mu_s, -0.2};
   const Lit lit = light(sky, {level, shadowed, half, away}, 1, mu_s);
   for (std::size_t k = 0; k < 4; ++k) {
     EXPECT_NEAR(lit.radiance[4 + k], lit.skylight[k] / pi, 1e-5 * lit.radiance[k]);

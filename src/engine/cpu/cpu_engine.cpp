@@ -20,8 +20,9 @@ bool available(std::string_view target) {
   __builtin_cpu_init();
   if (target == "avx2") return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
   if (target == "avx512") {
-    return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512cd") && __builtin_cpu_supports("avx512bw") &&
-           __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("fma");
+    return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512cd") &&
+           __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512dq") &&
+           __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("fma");
   }
 #endif
   return std::ranges::any_of(compiled_targets(), [&](const CpuTarget& t) { return t.name == target; });
@@ -49,26 +50,31 @@ class CpuEngine final : public Engine {
 
   void read(const Table& table, std::span<double> rgba) override {
     const std::size_t n = 4 * table.shape.texels();
-    if (is_double()) std::memcpy(rgba.data(), table.storage.get(), n * sizeof(double));
-    else std::copy_n(static_cast<const float*>(table.storage.get()), n, rgba.begin());
+    if (is_double())
+      std::memcpy(rgba.data(), table.storage.get(), n * sizeof(double));
+    else
+      std::copy_n(static_cast<const float*>(table.storage.get()), n, rgba.begin());
   }
 
-  void evaluate(const FunctionInfo& function, std::span<const double> uniforms, std::span<const double> varying, int count,
-                std::span<double> results) override {
-    if (!function.evaluable) throw InputError(std::string(function.name) + " reads tables: it cannot be evaluated by itself");
+  void evaluate(const FunctionInfo& function, std::span<const double> uniforms, std::span<const double> varying,
+                int count, std::span<double> results) override {
+    if (!function.evaluable)
+      throw InputError(std::string(function.name) + " reads tables: it cannot be evaluated by itself");
     target_.groups[function.group]->evals[function.slot]({uniforms.data(), varying.data(), count, results.data()});
   }
 
  protected:
   std::shared_ptr<void> make_table(Shape shape, std::span<const double> rgba) override {
     auto table = allocate(shape);
-    if (is_double()) std::memcpy(table.get(), rgba.data(), rgba.size_bytes());
-    else std::ranges::transform(rgba, static_cast<float*>(table.get()), [](double v) { return static_cast<float>(v); });
+    if (is_double())
+      std::memcpy(table.get(), rgba.data(), rgba.size_bytes());
+    else
+      std::ranges::transform(rgba, static_cast<float*>(table.get()), [](double v) { return static_cast<float>(v); });
     return table;
   }
 
-  std::vector<std::shared_ptr<void>> run_pass(const PassInfo& pass, std::span<const double> parameters, std::span<const Table> inputs,
-                                              Shape shape) override {
+  std::vector<std::shared_ptr<void>> run_pass(const PassInfo& pass, std::span<const double> parameters,
+                                              std::span<const Table> inputs, Shape shape) override {
     std::vector<std::shared_ptr<void>> outputs;
     PassArguments arguments{};
     for (std::size_t i = 0; i < pass.outputs.size(); ++i) {
@@ -79,8 +85,8 @@ class CpuEngine final : public Engine {
     return outputs;
   }
 
-  void draw_rows(const PassInfo& pass, std::span<const double> parameters, std::span<const Table> inputs, Shape shape, int begin, int end,
-                 std::span<float> rgba) override {
+  void draw_rows(const PassInfo& pass, std::span<const double> parameters, std::span<const Table> inputs, Shape shape,
+                 int begin, int end, std::span<float> rgba) override {
     PassArguments arguments{};
     arguments.outputs[0] = rgba.data();
     arguments.to_float = true;
@@ -95,8 +101,8 @@ class CpuEngine final : public Engine {
     return {std::aligned_alloc(64, (bytes + 63) / 64 * 64), std::free};
   }
 
-  void sweep(const PassInfo& pass, std::span<const double> parameters, std::span<const Table> inputs, Shape shape, int begin, int end,
-             PassArguments arguments) const {
+  void sweep(const PassInfo& pass, std::span<const double> parameters, std::span<const Table> inputs, Shape shape,
+             int begin, int end, PassArguments arguments) const {
     std::vector<TableView> views;
     for (const Table& t : inputs) views.push_back({t.storage.get(), t.shape.width, t.shape.height, t.shape.depth});
     arguments.parameters = parameters.data();
@@ -107,13 +113,16 @@ class CpuEngine final : public Engine {
     arguments.output_count = arguments.to_float ? 1 : int(pass.outputs.size());
     const PassEntry entry = target_.groups[pass.group]->passes[pass.slot];
     // A tile is a run of rows. Every row is computed alike whichever thread takes it, so results do not depend on threads.
-    tbb::parallel_for(tbb::blocked_range<int>(begin, end, std::max(1, 4096 / shape.width)), [&](const tbb::blocked_range<int>& rows) {
-      PassArguments part = arguments;
-      part.row_begin = rows.begin();
-      part.row_end = rows.end();
-      if (part.to_float) part.outputs[0] = static_cast<float*>(arguments.outputs[0]) + 4 * std::size_t(rows.begin() - begin) * std::size_t(shape.width);
-      entry(part);
-    });
+    tbb::parallel_for(tbb::blocked_range<int>(begin, end, std::max(1, 4096 / shape.width)),
+                      [&](const tbb::blocked_range<int>& rows) {
+                        PassArguments part = arguments;
+                        part.row_begin = rows.begin();
+                        part.row_end = rows.end();
+                        if (part.to_float)
+                          part.outputs[0] = static_cast<float*>(arguments.outputs[0]) +
+                                            4 * std::size_t(rows.begin() - begin) * std::size_t(shape.width);
+                        entry(part);
+                      });
   }
 
   CpuTarget target_;
@@ -135,7 +144,8 @@ std::shared_ptr<Engine> make_cpu_engine(std::string_view wanted) {
   std::string known;
   for (const CpuTarget& t : compiled_targets()) {
     if (wanted.empty() ? available(t.name) : t.name == wanted) {
-      if (!available(t.name)) throw InputError(std::string(source) + " = " + std::string(wanted) + ": this processor does not have it");
+      if (!available(t.name))
+        throw InputError(std::string(source) + " = " + std::string(wanted) + ": this processor does not have it");
       return make_cpu_engine(t);
     }
     known += (known.empty() ? "" : ", ") + std::string(t.name);

@@ -14,8 +14,12 @@ static void unpack(const double* numbers, Struct& into) {
   Element* e = reinterpret_cast<Element*>(&into);
   for (unsigned i = 0; i < sizeof(Struct) / sizeof(Element); ++i) e[i] = static_cast<Element>(numbers[i]);
 }
-static inline Table2 make_Table2(const TableView& t) { return {static_cast<const Element*>(t.texels), t.width, t.height}; }
-[[maybe_unused]] static inline Table3 make_Table3(const TableView& t) { return {static_cast<const Element*>(t.texels), t.width, t.height, t.depth}; }
+static inline Table2 make_Table2(const TableView& t) {
+  return {static_cast<const Element*>(t.texels), t.width, t.height};
+}
+[[maybe_unused]] static inline Table3 make_Table3(const TableView& t) {
+  return {static_cast<const Element*>(t.texels), t.width, t.height, t.depth};
+}
 
 FN Float load(const Element* e) {
   Float f;
@@ -38,12 +42,25 @@ struct Batch {
 };
 FN void put(const Batch& b, int component, Float value) {
   const Element* e = reinterpret_cast<const Element*>(&value);
-  for (int i = 0; i < lanes && b.at + i < b.a.count; ++i) b.a.results[static_cast<long>(component) * b.a.count + b.at + i] = e[i];
+  for (int i = 0; i < lanes && b.at + i < b.a.count; ++i)
+    b.a.results[static_cast<long>(component) * b.a.count + b.at + i] = e[i];
 }
 [[maybe_unused]] FN void put(const Batch& b, int at, Bool value) { put(b, at, select(value, Float(1.0), Float(0.0))); }
-[[maybe_unused]] FN void put(const Batch& b, int at, Vec2 v) { put(b, at, v.x); put(b, at + 1, v.y); }
-[[maybe_unused]] FN void put(const Batch& b, int at, Vec3 v) { put(b, at, v.x); put(b, at + 1, v.y); put(b, at + 2, v.z); }
-[[maybe_unused]] FN void put(const Batch& b, int at, Vec4 v) { put(b, at, v.x); put(b, at + 1, v.y); put(b, at + 2, v.z); put(b, at + 3, v.w); }
+[[maybe_unused]] FN void put(const Batch& b, int at, Vec2 v) {
+  put(b, at, v.x);
+  put(b, at + 1, v.y);
+}
+[[maybe_unused]] FN void put(const Batch& b, int at, Vec3 v) {
+  put(b, at, v.x);
+  put(b, at + 1, v.y);
+  put(b, at + 2, v.z);
+}
+[[maybe_unused]] FN void put(const Batch& b, int at, Vec4 v) {
+  put(b, at, v.x);
+  put(b, at + 1, v.y);
+  put(b, at + 2, v.z);
+  put(b, at + 3, v.w);
+}
 
 // ---- passes ----
 template <class T>
@@ -75,9 +92,11 @@ static void for_each_texel(const PassArguments& a, const Shade& shade) {
       const int count = a.width - x < lanes ? a.width - x : lanes;
       for (int k = 0; k < a.output_count; ++k) {
         if (a.to_float) {
-          store_texels(static_cast<float*>(a.outputs[k]) + 4 * (static_cast<long>(row - a.row_begin) * a.width + x), outputs[k], count);
+          store_texels(static_cast<float*>(a.outputs[k]) + 4 * (static_cast<long>(row - a.row_begin) * a.width + x),
+                       outputs[k], count);
         } else {
-          store_texels(static_cast<Element*>(a.outputs[k]) + 4 * (static_cast<long>(row) * a.width + x), outputs[k], count);
+          store_texels(static_cast<Element*>(a.outputs[k]) + 4 * (static_cast<long>(row) * a.width + x), outputs[k],
+                       count);
         }
       }
     }

@@ -20,7 +20,7 @@ struct EvalArguments {
   const double* uniforms;
   const double* varying;  // components, each `count` values
   int count;
-  double* results;        // components, each `count` values
+  double* results;  // components, each `count` values
   double uniform(int i) const { return uniforms[i]; }
 };
 using PassEntry = void (*)(const PassArguments&);

@@ -20,7 +20,8 @@ std::vector<float> to_float(std::span<const double> values) {
 
 class GlEngine final : public Engine {
  public:
-  GlEngine(GlApi api, std::span<const KernelGroup> groups) : context_(std::make_shared<HeadlessContext>(api)), groups_(groups) {
+  GlEngine(GlApi api, std::span<const KernelGroup> groups)
+      : context_(std::make_shared<HeadlessContext>(api)), groups_(groups) {
     const HeadlessContext::Current current(*context_);
     if (api == GlApi::es) {
       if (!epoxy_has_gl_extension("GL_EXT_color_buffer_float")) {
@@ -40,14 +41,17 @@ class GlEngine final : public Engine {
     std::ranges::copy(texels, rgba.begin());
   }
 
-  void evaluate(const FunctionInfo& function, std::span<const double> uniforms, std::span<const double> varying, int count,
-                std::span<double> results) override {
-    if (!function.evaluable) throw InputError(std::string(function.name) + " reads tables: it cannot be evaluated by itself");
+  void evaluate(const FunctionInfo& function, std::span<const double> uniforms, std::span<const double> varying,
+                int count, std::span<double> results) override {
+    if (!function.evaluable)
+      throw InputError(std::string(function.name) + " reads tables: it cannot be evaluated by itself");
     const int columns = varying_components(function), rows = result_components(function);
     assert(uniforms.size() == std::size_t(uniform_components(function)));
-    assert(varying.size() == std::size_t(columns) * std::size_t(count) && results.size() == std::size_t(rows) * std::size_t(count));
-    const GridShader& shader = shader_of("function " + std::string(function.name),
-                                         [&] { return function_shader(context_->api(), groups_[function.group], function); });
+    assert(varying.size() == std::size_t(columns) * std::size_t(count) &&
+           results.size() == std::size_t(rows) * std::size_t(count));
+    const GridShader& shader = shader_of("function " + std::string(function.name), [&] {
+      return function_shader(context_->api(), groups_[function.group], function);
+    });
     std::vector<float> block = to_float(uniforms);
     block.resize(std::size_t(4 * planes(uniform_components(function))));
     // A set of arguments is a texel; what does not fit into one texture of a size that every OpenGL has goes into the next.
@@ -61,7 +65,8 @@ class GlEngine final : public Engine {
         std::vector<float> packed(4 * std::size_t(planes(columns)) * grid.texels());
         for (int c = 0; c < columns; ++c) {
           for (std::size_t i = 0; i < std::size_t(sets); ++i) {
-            packed[4 * ((c / 4) * grid.texels() + i) + c % 4] = static_cast<float>(varying[std::size_t(c) * count + first + i]);
+            packed[4 * ((c / 4) * grid.texels() + i) + c % 4] =
+                static_cast<float>(varying[std::size_t(c) * count + first + i]);
           }
         }
         arguments = std::make_unique<GlTexture>(context_, Shape{grid.width, grid.height * planes(columns), 1}, packed);
@@ -72,7 +77,8 @@ class GlEngine final : public Engine {
       std::vector<float> texels(4 * grid.texels());
       for (int c = 0; c < rows; ++c) {
         if (c % 4 == 0) targets[c / 4]->read(texels);
-        for (std::size_t i = 0; i < std::size_t(sets); ++i) results[std::size_t(c) * count + first + i] = texels[4 * i + c % 4];
+        for (std::size_t i = 0; i < std::size_t(sets); ++i)
+          results[std::size_t(c) * count + first + i] = texels[4 * i + c % 4];
       }
     }
   }
@@ -82,8 +88,8 @@ class GlEngine final : public Engine {
     return std::make_shared<GlTexture>(context_, shape, to_float(rgba));
   }
 
-  std::vector<std::shared_ptr<void>> run_pass(const PassInfo& pass, std::span<const double> parameters, std::span<const Table> inputs,
-                                              Shape shape) override {
+  std::vector<std::shared_ptr<void>> run_pass(const PassInfo& pass, std::span<const double> parameters,
+                                              std::span<const Table> inputs, Shape shape) override {
     const GridShader& shader = shader_of(pass);
     const auto targets = make_targets(int(pass.outputs.size()), shape);
     const auto tables = bind(pass, inputs);
@@ -94,8 +100,8 @@ class GlEngine final : public Engine {
     return {targets.begin(), targets.end()};
   }
 
-  void draw_rows(const PassInfo& pass, std::span<const double> parameters, std::span<const Table> inputs, Shape shape, int begin, int end,
-                 std::span<float> rgba) override {
+  void draw_rows(const PassInfo& pass, std::span<const double> parameters, std::span<const Table> inputs, Shape shape,
+                 int begin, int end, std::span<float> rgba) override {
     // The further outputs of a pass are computed and dropped.
     const auto targets = make_targets(int(pass.outputs.size()), {shape.width, end - begin, 1});
     shader_of(pass).run(to_float(parameters), bind(pass, inputs), pointers(targets), {shape, begin, 0});
@@ -105,7 +111,8 @@ class GlEngine final : public Engine {
  private:
   std::vector<std::shared_ptr<GlTexture>> make_targets(int count, Shape shape) const {
     std::vector<std::shared_ptr<GlTexture>> targets;
-    for (int i = 0; i < count; ++i) targets.push_back(std::make_shared<GlTexture>(context_, shape, std::span<const float>()));
+    for (int i = 0; i < count; ++i)
+      targets.push_back(std::make_shared<GlTexture>(context_, shape, std::span<const float>()));
     return targets;
   }
   static std::vector<const GlTexture*> pointers(const std::vector<std::shared_ptr<GlTexture>>& textures) {
@@ -119,8 +126,9 @@ class GlEngine final : public Engine {
     for (std::size_t i = 0; i < inputs.size(); ++i) {
       const GlTexture& texture = texture_of(inputs[i]);
       if ((texture.target() == GL_TEXTURE_3D) != (pass.tables[i].type == KernelType::Table3)) {
-        throw WorkError("pass " + std::string(pass.name) + ", table " + std::string(pass.tables[i].name) + ": a Table3 has a depth of at " +
-                        "least 2, a Table2 of 1; this one has " + std::to_string(texture.shape().depth));
+        throw WorkError("pass " + std::string(pass.name) + ", table " + std::string(pass.tables[i].name) +
+                        ": a Table3 has a depth of at " + "least 2, a Table2 of 1; this one has " +
+                        std::to_string(texture.shape().depth));
       }
       tables.push_back(&texture);
     }
@@ -128,7 +136,8 @@ class GlEngine final : public Engine {
   }
 
   const GridShader& shader_of(const PassInfo& pass) {
-    return shader_of("pass " + std::string(pass.name), [&] { return pass_shader(context_->api(), groups_[pass.group], pass); });
+    return shader_of("pass " + std::string(pass.name),
+                     [&] { return pass_shader(context_->api(), groups_[pass.group], pass); });
   }
   /// Compiled once and kept.
   template <class Text>
@@ -146,7 +155,11 @@ class GlEngine final : public Engine {
 
 }  // namespace
 
-std::shared_ptr<Engine> make_gl_engine(std::span<const KernelGroup> groups) { return std::make_shared<GlEngine>(GlApi::desktop, groups); }
-std::shared_ptr<Engine> make_gles_engine(std::span<const KernelGroup> groups) { return std::make_shared<GlEngine>(GlApi::es, groups); }
+std::shared_ptr<Engine> make_gl_engine(std::span<const KernelGroup> groups) {
+  return std::make_shared<GlEngine>(GlApi::desktop, groups);
+}
+std::shared_ptr<Engine> make_gles_engine(std::span<const KernelGroup> groups) {
+  return std::make_shared<GlEngine>(GlApi::es, groups);
+}
 
 }  // namespace airlight

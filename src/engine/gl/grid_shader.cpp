@@ -21,8 +21,10 @@ class Framebuffer {
 
   void attach(int index, const GlTexture& texture, int slice) const {
     const GLenum point = GLenum(GL_COLOR_ATTACHMENT0 + index);
-    if (texture.target() == GL_TEXTURE_3D) glFramebufferTextureLayer(GL_FRAMEBUFFER, point, texture.name(), 0, slice);
-    else glFramebufferTexture2D(GL_FRAMEBUFFER, point, GL_TEXTURE_2D, texture.name(), 0);
+    if (texture.target() == GL_TEXTURE_3D)
+      glFramebufferTextureLayer(GL_FRAMEBUFFER, point, texture.name(), 0, slice);
+    else
+      glFramebufferTexture2D(GL_FRAMEBUFFER, point, GL_TEXTURE_2D, texture.name(), 0);
   }
 
  private:
@@ -47,7 +49,8 @@ std::string program_log(GLuint program) {
 }
 
 /// Compiles and attaches; the shader lives as long as its program.
-void add_shader(GLuint program, GLenum kind, const char* text, std::span<const std::string> files, const std::string& subject) {
+void add_shader(GLuint program, GLenum kind, const char* text, std::span<const std::string> files,
+                const std::string& subject) {
   const GLuint shader = glCreateShader(kind);
   glShaderSource(shader, 1, &text, nullptr);
   glCompileShader(shader);
@@ -68,8 +71,8 @@ void check_gl(const HeadlessContext& context, const std::string& doing) {
   }
   char code[16];
   std::snprintf(code, sizeof code, "0x%04x", unsigned(first));
-  throw WorkError("OpenGL error " + std::string(code) + (first == GL_OUT_OF_MEMORY ? " (out of memory)" : "") + " while " + doing + " on " +
-                  context.renderer());
+  throw WorkError("OpenGL error " + std::string(code) + (first == GL_OUT_OF_MEMORY ? " (out of memory)" : "") +
+                  " while " + doing + " on " + context.renderer());
 }
 
 GlTexture::GlTexture(std::shared_ptr<HeadlessContext> context, Shape shape, std::span<const float> rgba)
@@ -80,18 +83,22 @@ GlTexture::GlTexture(std::shared_ptr<HeadlessContext> context, Shape shape, std:
   GLint most = 0;
   glGetIntegerv(shape.depth > 1 ? GL_MAX_3D_TEXTURE_SIZE : GL_MAX_TEXTURE_SIZE, &most);
   if (std::max({shape.width, shape.height, shape.depth}) > most) {
-    throw WorkError("a table of " + size + " texels is too large for " + context_->renderer() + ": at most " + std::to_string(most) +
-                    " each way");
+    throw WorkError("a table of " + size + " texels is too large for " + context_->renderer() + ": at most " +
+                    std::to_string(most) + " each way");
   }
   glGenTextures(1, &name_);
   glBindTexture(target(), name_);
-  if (shape.depth > 1) glTexStorage3D(target(), 1, GL_RGBA32F, shape.width, shape.height, shape.depth);
-  else glTexStorage2D(target(), 1, GL_RGBA32F, shape.width, shape.height);
+  if (shape.depth > 1)
+    glTexStorage3D(target(), 1, GL_RGBA32F, shape.width, shape.height, shape.depth);
+  else
+    glTexStorage2D(target(), 1, GL_RGBA32F, shape.width, shape.height);
   glTexParameteri(target(), GL_TEXTURE_MIN_FILTER, GL_NEAREST);
   glTexParameteri(target(), GL_TEXTURE_MAG_FILTER, GL_NEAREST);
   if (!rgba.empty()) {
-    if (shape.depth > 1) glTexSubImage3D(target(), 0, 0, 0, 0, shape.width, shape.height, shape.depth, GL_RGBA, GL_FLOAT, rgba.data());
-    else glTexSubImage2D(target(), 0, 0, 0, shape.width, shape.height, GL_RGBA, GL_FLOAT, rgba.data());
+    if (shape.depth > 1)
+      glTexSubImage3D(target(), 0, 0, 0, 0, shape.width, shape.height, shape.depth, GL_RGBA, GL_FLOAT, rgba.data());
+    else
+      glTexSubImage2D(target(), 0, 0, 0, shape.width, shape.height, GL_RGBA, GL_FLOAT, rgba.data());
   }
   try {
     check_gl(*context_, "making a table of " + size + " texels");
@@ -131,15 +138,19 @@ GridShader::GridShader(std::shared_ptr<HeadlessContext> context, const ShaderTex
     glLinkProgram(program_);
     GLint linked = 0;
     glGetProgramiv(program_, GL_LINK_STATUS, &linked);
-    if (!linked) throw WorkError("the shader of " + subject_ + " does not link:\n" + name_files(program_log(program_), shader.files));
+    if (!linked)
+      throw WorkError("the shader of " + subject_ + " does not link:\n" +
+                      name_files(program_log(program_), shader.files));
   } catch (...) {
     glDeleteProgram(program_);
     throw;
   }
   glUseProgram(program_);
-  for (int i = 0; i < shader.tables; ++i) glUniform1i(glGetUniformLocation(program_, ("main_table" + std::to_string(i)).c_str()), i);
+  for (int i = 0; i < shader.tables; ++i)
+    glUniform1i(glGetUniformLocation(program_, ("main_table" + std::to_string(i)).c_str()), i);
   if (context_->api() == GlApi::desktop) {
-    for (int i = 0; i < shader.outputs; ++i) glUniform1i(glGetUniformLocation(program_, ("main_image" + std::to_string(i)).c_str()), i);
+    for (int i = 0; i < shader.outputs; ++i)
+      glUniform1i(glGetUniformLocation(program_, ("main_image" + std::to_string(i)).c_str()), i);
   }
   const GLuint block = glGetUniformBlockIndex(program_, "main_Parameters");
   if (block != GL_INVALID_INDEX) glUniformBlockBinding(program_, block, 0);
@@ -152,8 +163,8 @@ GridShader::~GridShader() {
   glDeleteProgram(program_);
 }
 
-void GridShader::run(std::span<const float> parameters, std::span<const GlTexture* const> tables, std::span<const GlTexture* const> targets,
-                     Window window) const {
+void GridShader::run(std::span<const float> parameters, std::span<const GlTexture* const> tables,
+                     std::span<const GlTexture* const> targets, Window window) const {
   const HeadlessContext::Current current(*context_);
   glUseProgram(program_);
   glUniform4i(place_, window.grid.width, window.grid.height, window.grid.depth, window.first_row);

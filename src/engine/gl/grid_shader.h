@@ -49,8 +49,8 @@ class GridShader {
     int slice;      ///< of the targets that the window is written to
   };
   /// Fills one slice of each target.
-  void run(std::span<const float> parameters, std::span<const GlTexture* const> tables, std::span<const GlTexture* const> targets,
-           Window window) const;
+  void run(std::span<const float> parameters, std::span<const GlTexture* const> tables,
+           std::span<const GlTexture* const> targets, Window window) const;
 
  private:
   std::shared_ptr<HeadlessContext> context_;

@@ -21,14 +21,16 @@ std::vector<Place> places() {
   std::vector<Place> found;
   const auto has = [](const char* extension) { return epoxy_has_egl_extension(EGL_NO_DISPLAY, extension); };
   if (has("EGL_MESA_platform_surfaceless")) {
-    found.push_back({"surfaceless platform", eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr)});
+    found.push_back({"surfaceless platform",
+                     eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr)});
   }
   if (has("EGL_EXT_platform_device") && (has("EGL_EXT_device_base") || has("EGL_EXT_device_enumeration"))) {
     std::array<EGLDeviceEXT, 16> devices{};
     EGLint count = 0;
     eglQueryDevicesEXT(EGLint(devices.size()), devices.data(), &count);
     for (int i = 0; i < count; ++i) {
-      found.push_back({"device " + std::to_string(i), eglGetPlatformDisplayEXT(EGL_PLATFORM_DEVICE_EXT, devices[i], nullptr)});
+      found.push_back(
+          {"device " + std::to_string(i), eglGetPlatformDisplayEXT(EGL_PLATFORM_DEVICE_EXT, devices[i], nullptr)});
     }
   }
   found.push_back({"default display", eglGetDisplay(EGL_DEFAULT_DISPLAY)});
@@ -46,12 +48,14 @@ EGLContext create(EGLDisplay display, GlApi api, std::string& why) {
     why = "no display (" + egl_error() + ")";
     return EGL_NO_CONTEXT;
   }
-  if (!epoxy_has_egl_extension(display, "EGL_KHR_no_config_context") || !epoxy_has_egl_extension(display, "EGL_KHR_surfaceless_context")) {
+  if (!epoxy_has_egl_extension(display, "EGL_KHR_no_config_context") ||
+      !epoxy_has_egl_extension(display, "EGL_KHR_surfaceless_context")) {
     why = "no contexts without a window";
     return EGL_NO_CONTEXT;
   }
-  const EGLint core[] = {EGL_CONTEXT_MAJOR_VERSION, 4, EGL_CONTEXT_MINOR_VERSION, 5,
-                         EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
+  const EGLint core[] = {
+      EGL_CONTEXT_MAJOR_VERSION,           4,       EGL_CONTEXT_MINOR_VERSION, 5, EGL_CONTEXT_OPENGL_PROFILE_MASK,
+      EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
   const EGLint es[] = {EGL_CONTEXT_MAJOR_VERSION, 3, EGL_CONTEXT_MINOR_VERSION, 0, EGL_NONE};
   eglBindAPI(api == GlApi::es ? EGL_OPENGL_ES_API : EGL_OPENGL_API);
   const EGLContext context = eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, api == GlApi::es ? es : core);
@@ -78,8 +82,10 @@ bool has_library(std::initializer_list<const char*> any_of) {
 
 HeadlessContext::HeadlessContext(GlApi api) : api_(api) {
   const std::string wanted = api == GlApi::es ? "OpenGL ES 3.0" : "OpenGL 4.5 core";
-  const bool library = api == GlApi::es ? has_library({"libGLESv2.so.2"}) : has_library({"libOpenGL.so.0", "libGL.so.1"});
-  if (!epoxy_has_egl() || !library) throw WorkError("no " + wanted + ": the OpenGL and EGL libraries are not installed");
+  const bool library =
+      api == GlApi::es ? has_library({"libGLESv2.so.2"}) : has_library({"libOpenGL.so.0", "libGL.so.1"});
+  if (!epoxy_has_egl() || !library)
+    throw WorkError("no " + wanted + ": the OpenGL and EGL libraries are not installed");
 
   std::string tried;
   for (const Place& place : places()) {
@@ -129,8 +135,10 @@ HeadlessContext::Current::Current(HeadlessContext& context)
 
 HeadlessContext::Current::~Current() {
   if (previous_ == context_.context_) return;
-  if (previous_ == EGL_NO_CONTEXT) eglMakeCurrent(context_.display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
-  else eglMakeCurrent(display_, draw_, read_, previous_);
+  if (previous_ == EGL_NO_CONTEXT)
+    eglMakeCurrent(context_.display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+  else
+    eglMakeCurrent(display_, draw_, read_, previous_);
 }
 
 }  // namespace airlight

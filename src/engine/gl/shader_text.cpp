@@ -7,12 +7,16 @@ namespace airlight {
 namespace {
 
 // Indices: KernelType.
-constexpr const char* type_names[] = {"Float", "Vec2", "Vec3", "Vec4", "Bool", "Scalar", "Scalar4", "int", "", "Table2", "Table3"};
+constexpr const char* type_names[] = {"Float",   "Vec2", "Vec3", "Vec4",   "Bool",  "Scalar",
+                                      "Scalar4", "int",  "",     "Table2", "Table3"};
 const char* spelled(KernelType type) { return type_names[static_cast<int>(type)]; }
 bool is_uniform(KernelType type) {
-  return type == KernelType::Scalar || type == KernelType::Scalar4 || type == KernelType::Int || type == KernelType::Struct;
+  return type == KernelType::Scalar || type == KernelType::Scalar4 || type == KernelType::Int ||
+         type == KernelType::Struct;
 }
-int size_of(const ArgumentInfo& a) { return a.type == KernelType::Struct ? kernel_struct(a.struct_name).numbers : components(a.type); }
+int size_of(const ArgumentInfo& a) {
+  return a.type == KernelType::Struct ? kernel_struct(a.struct_name).numbers : components(a.type);
+}
 
 std::string numbered(const char* name, int i) { return name + std::to_string(i); }
 
@@ -36,24 +40,28 @@ void begin(ShaderText& shader, GlApi api, const KernelGroup& group) {
 }
 
 /// The rest: declarations, then main() with `body`, which sets main_out0, main_out1, ... from ivec2 main_at.
-void end(ShaderText& shader, GlApi api, const std::string& subject, const std::string& declarations, const std::string& body) {
+void end(ShaderText& shader, GlApi api, const std::string& subject, const std::string& declarations,
+         const std::string& body) {
   std::string& t = shader.text;
   t += "#line 1 " + std::to_string(shader.files.size()) + "\n";
   shader.files.push_back("main() of " + subject);
   t += "uniform ivec4 main_place;\n" + declarations;
   if (api == GlApi::es) {
-    for (int i = 0; i < shader.outputs; ++i) t += "layout(location = " + std::to_string(i) + ") out vec4 " + numbered("main_out", i) + ";\n";
+    for (int i = 0; i < shader.outputs; ++i)
+      t += "layout(location = " + std::to_string(i) + ") out vec4 " + numbered("main_out", i) + ";\n";
     t += "void main() {\n  ivec2 main_at = ivec2(gl_FragCoord.xy);\n" + body + "}\n";
     return;
   }
   t += "layout(local_size_x = 8, local_size_y = 8) in;\n";
-  for (int i = 0; i < shader.outputs; ++i) t += "layout(rgba32f) writeonly uniform image2D " + numbered("main_image", i) + ";\n";
+  for (int i = 0; i < shader.outputs; ++i)
+    t += "layout(rgba32f) writeonly uniform image2D " + numbered("main_image", i) + ";\n";
   t += "void main() {\n  ivec2 main_at = ivec2(gl_GlobalInvocationID.xy);\n"
        "  ivec2 main_window = imageSize(main_image0);\n"
        "  if (main_at.x >= main_window.x || main_at.y >= main_window.y) return;\n";
   for (int i = 0; i < shader.outputs; ++i) t += "  vec4 " + numbered("main_out", i) + ";\n";
   t += body;
-  for (int i = 0; i < shader.outputs; ++i) t += "  imageStore(" + numbered("main_image", i) + ", main_at, " + numbered("main_out", i) + ");\n";
+  for (int i = 0; i < shader.outputs; ++i)
+    t += "  imageStore(" + numbered("main_image", i) + ", main_at, " + numbered("main_out", i) + ");\n";
   t += "}\n";
 }
 
@@ -77,8 +85,10 @@ std::string value_of(const ArgumentInfo& a, int at, const Component& component) 
 }
 
 void list_components(std::vector<std::string>& into, KernelType type, const std::string& name) {
-  if (type == KernelType::Bool) into.push_back("(" + name + " ? 1.0 : 0.0)");
-  else if (components(type) == 1) into.push_back("float(" + name + ")");
+  if (type == KernelType::Bool)
+    into.push_back("(" + name + " ? 1.0 : 0.0)");
+  else if (components(type) == 1)
+    into.push_back("float(" + name + ")");
   else
     for (int i = 0; i < components(type); ++i) into.push_back(name + "." + "xyzw"[i]);
 }
@@ -117,7 +127,8 @@ ShaderText pass_shader(GlApi api, const KernelGroup& group, const PassInfo& pass
     // Structs hold Scalar4s, then Scalars, padded to 16 bytes: their numbers one after the other are std140.
     declarations += "layout(std140) uniform main_Parameters {\n";
     for (std::size_t i = 0; i < pass.parameters.size(); ++i) {
-      declarations += "  " + std::string(pass.parameters[i].struct_name) + " " + numbered("main_struct", int(i)) + ";\n";
+      declarations +=
+          "  " + std::string(pass.parameters[i].struct_name) + " " + numbered("main_struct", int(i)) + ";\n";
       call += numbered("main_struct", int(i)) + ", ";
     }
     declarations += "};\n";
@@ -145,10 +156,13 @@ ShaderText function_shader(GlApi api, const KernelGroup& group, const FunctionIn
   shader.tables = varyings > 0 ? 1 : 0;
   shader.outputs = planes(result_components(function));
   std::string declarations, body, call;
-  if (uniforms > 0) declarations += "layout(std140) uniform main_Parameters { vec4 main_uniform[" + std::to_string(uniforms) + "]; };\n";
+  if (uniforms > 0)
+    declarations +=
+        "layout(std140) uniform main_Parameters { vec4 main_uniform[" + std::to_string(uniforms) + "]; };\n";
   if (varyings > 0) declarations += "uniform sampler2D main_table0;\n";
   for (int i = 0; i < varyings; ++i) {
-    body += "  vec4 " + numbered("main_in", i) + " = texelFetch(main_table0, main_at + ivec2(0, " + std::to_string(i) + " * main_place.y), 0);\n";
+    body += "  vec4 " + numbered("main_in", i) + " = texelFetch(main_table0, main_at + ivec2(0, " + std::to_string(i) +
+            " * main_place.y), 0);\n";
   }
   const auto uniform = [](int at) { return "main_uniform[" + std::to_string(at / 4) + "]." + "xyzw"[at % 4]; };
   const auto varying = [](int at) { return numbered("main_in", at / 4) + "." + "xyzw"[at % 4]; };
@@ -160,7 +174,8 @@ ShaderText function_shader(GlApi api, const KernelGroup& group, const FunctionIn
     call += call.empty() ? "" : ", ";
     if (a.out) {
       const std::string name = numbered("main_argument", int(i));
-      body += std::string("  ") + spelled(a.type) + " " + name + " = " + spelled(a.type) + "(" + (a.type == KernelType::Bool ? "false" : "0.0") + ");\n";
+      body += std::string("  ") + spelled(a.type) + " " + name + " = " + spelled(a.type) + "(" +
+              (a.type == KernelType::Bool ? "false" : "0.0") + ");\n";
       call += name;
       list_components(results, a.type, name);
     } else if (is_uniform(a.type)) {
@@ -176,8 +191,8 @@ ShaderText function_shader(GlApi api, const KernelGroup& group, const FunctionIn
   body += std::string(function.kernel_name) + "(" + call + ");\n";
   results.resize(std::size_t(4 * shader.outputs), "0.0");
   for (int i = 0; i < shader.outputs; ++i) {
-    body += "  " + numbered("main_out", i) + " = vec4(" + results[4 * i] + ", " + results[4 * i + 1] + ", " + results[4 * i + 2] + ", " +
-            results[4 * i + 3] + ");\n";
+    body += "  " + numbered("main_out", i) + " = vec4(" + results[4 * i] + ", " + results[4 * i + 1] + ", " +
+            results[4 * i + 2] + ", " + results[4 * i + 3] + ");\n";
   }
   end(shader, api, std::string(function.name), declarations, body);
   return shader;
@@ -193,7 +208,8 @@ std::string name_files(std::string_view log, std::span<const std::string> files)
     log.remove_prefix(length);
     std::smatch match;
     if (std::regex_search(line, match, place) && std::stoul(match[2]) < files.size()) {
-      named += files[std::stoul(match[2])] + ":" + (match[3].matched ? match[3].str() : match[4].str()) + match.suffix().str();
+      named += files[std::stoul(match[2])] + ":" + (match[3].matched ? match[3].str() : match[4].str()) +
+               match.suffix().str();
     } else {
       named += line;
     }

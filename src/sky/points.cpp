@@ -1,0 +1,200 @@
+// What a picture with depth needs: the air before its points, and light on its surfaces.
+#include <cmath>
+
+#include "airlight/error.h"
+#include "sky/checks.h"
+#include "sky/sky_impl.h"
+
+namespace airlight {
+namespace {
+
+void check_shadows(const AirShadows& shadows) {
+  check(shadows.width >= 2 && shadows.width <= 16384, "width of the shadow map", shadows.width, "2 .. 16384");
+  check(shadows.height >= 2 && shadows.height <= 16384, "height of the shadow map", shadows.height, "2 .. 16384");
+  check(shadows.steps >= 1 && shadows.steps <= 1024, "steps of the shadow map", shadows.steps, "1 .. 1024");
+  const double expected = 2.0 * shadows.width * shadows.height;
+  const std::size_t given = shadows.edges ? shadows.edges->size() : 0;
+  check(double(given) == expected, "values of the shadow map", double(given), "two for each cell");
+  for (const float edge : *shadows.edges)
+    check(std::isfinite(edge), "an altitude of the shadow map", edge, "a finite number of metres");
+}
+
+}  // namespace
+
+const Table& Sky::Impl::cast(const AirShadows& shadows, double datum) {
+  if (shadows.edges && shadows.edges == last_cast.edges && datum == last_cast.datum) return last_cast.table;
+  check_shadows(shadows);
+  std::vector<double> texels(2 * shadows.edges->size());
+  for (std::size_t i = 0; 4 * i < texels.size(); ++i)
+    set_texel(texels, i, (*shadows.edges)[2 * i] - datum, (*shadows.edges)[2 * i + 1] - datum, 0, 0);
+  last_cast = {shadows.edges, datum, engine->lend({shadows.width, shadows.height, 1}, texels)};
+  return last_cast.table;
+}
+
+void Sky::Impl::haze(double altitude, const Direction& sun, std::span<const Sight> points,
+                     std::span<const double> wavelengths, const AirShadows* shadows, std::span<double> inscatter,
+                     std::span<double> transmittance) {
+  const Situation s = situation(altitude, datum_for(altitude));
+  const std::string_view pass = model->haze(s);
+  if (pass.empty()) {
+    if (shadows)
+      throw InputError("model " + std::string(model->name) + " cannot shade the air for an observer at " +
+                       number_text(altitude) + " m");
+    march_haze(altitude, sun, points, wavelengths, inscatter, transmittance);
+    return;
+  }
+  const int count = int(points.size()), width = std::min(count, 1024), height = (count + width - 1) / width;
+  const Shape shape{width, height, 1};
+  std::vector<double> sights(4 * shape.texels()), offsets(sights.size());
+  for (std::size_t i = 0; i < shape.texels(); ++i) {
+    const Sight& p = points[std::min(i, points.size() - 1)];
+    set_texel(sights, i, p.view[0], p.view[1], p.view[2], std::min(p.distance, 1e15));
+    set_texel(offsets, i, p.offset, 0, 0, 0);
+  }
+  const Table sight_table = engine->lend(shape, sights), offset_table = engine->lend(shape, offsets);
+  const double datum = datum_for(altitude);
+  const Table shadow_map = shadows ? cast(*shadows, datum) : engine->upload({2, 2, 1}, std::vector<double>(16, 0.0));
+  const AirShadows map = shadows ? *shadows : AirShadows{};
+  std::vector<double> texels(4 * shape.texels());
+  for (std::size_t w = 0; w < wavelengths.size(); w += 4) {
+    Binder b = binder(*model, quad_at(wavelengths, w), altitude);
+    b.set("observer", observer_fields(sun, s.altitude));
+    b.set("shadow", Fields{{"across", {map.across.begin(), map.across.end()}},
+                           {"along", {map.along.begin(), map.along.end()}},
+                           {"highest", {shadows ? map.highest - datum : -1}},
+                           {"steps", {double(map.steps)}}});
+    b.set("shadow_map", shadow_map);
+    b.set("points", sight_table);
+    b.set("offsets", offset_table);
+    const std::vector<Table> answers = b.run_once(pass, shape);
+    for (const std::span<double> out : {inscatter, transmittance}) {
+      engine->read(answers[out.data() == inscatter.data() ? 0 : 1], texels);
+      for (std::size_t i = 0; i < points.size(); ++i) {
+        for (std::size_t k = 0; k < 4 && w + k < wavelengths.size(); ++k)
+          out[i * wavelengths.size() + w + k] = texels[4 * i + k];
+      }
+    }
+  }
+}
+
+void Sky::Impl::surface(std::span<const SurfacePoint> points, double sun_zenith_cosine,
+                        std::span<const double> wavelengths, std::span<const double> albedo, std::span<double> radiance,
+                        std::span<double> skylight) {
+  const int count = int(points.size()), width = std::min(count, 1024), height = (count + width - 1) / width;
+  const Shape shape{width, height, 1};
+  std::vector<double> places(4 * shape.texels()), normals(places.size());
+  for (std::size_t i = 0; i < shape.texels(); ++i) {
+    const SurfacePoint& p = points[std::min(i, points.size() - 1)];
+    set_texel(places, i, p.altitude, p.sun_zenith_cosine, p.sun_visibility, p.sky_view);
+    set_texel(normals, i, p.normal[0], p.normal[1], p.normal[2], p.sun_cosine);
+  }
+  const Table place_table = engine->lend(shape, places), normal_table = engine->lend(shape, normals);
+
+  // The sky is known for a few altitudes, dense near the ground as the kernel has it, and a few Suns.
+  constexpr int azimuths = 12, tilts = 13, altitudes = 12, suns = 5;
+  constexpr double spread = 0.0524;  // 3 degrees
+  const double highest = std::min(10000.0, 0.3 * atmosphere.planet.top_altitude),
+               elevation = std::asin(sun_zenith_cosine);
+  const double low_sun = std::sin(std::max(elevation - spread, -1.57)),
+               high_sun = std::sin(std::min(elevation + spread, 1.57));
+  std::vector<double> eyes(4 * altitudes * suns), sun_rows(eyes.size());
+  for (int i = 0; i < altitudes * suns; ++i) {
+    const double v = double(i % altitudes) / (altitudes - 1),
+                 mu_s = low_sun + (high_sun - low_sun) * (i / altitudes) / (suns - 1);
+    set_texel(eyes, std::size_t(i), v * v * highest, 0, 0, 1);
+    set_texel(sun_rows, std::size_t(i), 1e15, std::sqrt(1 - mu_s * mu_s), 0, mu_s);
+  }
+  const Shape rows{1, altitudes * suns, 1};
+  std::vector<double> colours(4 * shape.texels()), texels(colours.size());
+  const std::size_t W = wavelengths.size();
+  for (std::size_t w = 0; w < W; w += 4) {
+    Binder b = binder(*model, quad_at(wavelengths, w), 0);
+    b.set("grid", Fields{{"azimuths", {double(azimuths)}},
+                         {"tilts", {double(tilts)}},
+                         {"altitudes", {double(altitudes)}},
+                         {"suns", {double(suns)}},
+                         {"highest", {highest}},
+                         {"low_sun", {low_sun}},
+                         {"high_sun", {high_sun}}});
+    b.set("eyes", engine->upload(rows, eyes));
+    b.set("suns", engine->upload(rows, sun_rows));
+    b.set("sky_light", b.run(model->sky_light, {256, altitudes * suns, 1})[0]);
+    b.set("skylight", b.run("core.skylight", {azimuths, tilts * altitudes, suns})[0]);
+    for (std::size_t i = 0; i < shape.texels(); ++i) {
+      for (std::size_t k = 0; k < 4; ++k)
+        colours[4 * i + k] = albedo[std::min(i, points.size() - 1) * W + std::min(w + k, W - 1)];
+    }
+    b.set("places", place_table);
+    b.set("normals", normal_table);
+    b.set("albedos", engine->lend(shape, colours));
+    const std::vector<Table> answers = b.run_once("core.surface", shape);
+    for (const auto& [table, out] : {std::pair{answers[0], radiance}, std::pair{answers[1], skylight}}) {
+      if (out.empty()) continue;
+      engine->read(table, texels);
+      for (std::size_t i = 0; i < points.size(); ++i) {
+        for (std::size_t k = 0; k < 4 && w + k < W; ++k) out[i * W + w + k] = texels[4 * i + k];
+      }
+    }
+  }
+}
+
+// The same question asked of the model's rays.
+void Sky::Impl::march_haze(double altitude, const Direction& sun, std::span<const Sight> points,
+                           std::span<const double> wavelengths, std::span<double> inscatter,
+                           std::span<double> transmittance) {
+  std::vector<Ray> rays;
+  std::vector<std::size_t> which;
+  for (const Sight& p : points) {
+    which.push_back(rays.size());
+    rays.push_back({altitude, p.view, sun, p.distance});
+  }
+  const auto into = [&](std::span<double> out) {
+    return [&wavelengths, out](std::size_t ray, std::size_t w, double value) {
+      out[ray * wavelengths.size() + w] = value;
+    };
+  };
+  answer(Quantity::radiance, rays, which, wavelengths, *model, into(inscatter));
+  answer(Quantity::transmittance, rays, which, wavelengths, *model, into(transmittance));
+}
+
+void Sky::haze(double altitude, Direction sun, std::span<const Sight> points, std::span<const double> wavelengths,
+               const AirShadows* shadows, std::span<double> inscatter, std::span<double> transmittance) const {
+  check_altitude(altitude, impl_->atmosphere.planet.ground_radius, {nullptr, "altitude"});
+  const Direction to_sun = checked_unit(sun, {nullptr, "sun"});
+  const std::size_t expected = points.size() * wavelengths.size();
+  check(inscatter.size() == expected, "size of inscatter", double(inscatter.size()), "points times wavelengths");
+  check(transmittance.size() == expected, "size of transmittance", double(transmittance.size()),
+        "points times wavelengths");
+  std::vector<Sight> checked(points.begin(), points.end());
+  for (std::size_t i = 0; i < checked.size(); ++i) {
+    check(checked[i].distance >= 0, {"point", "distance", i}, checked[i].distance, "at least 0 m");
+    check(checked[i].offset >= 0 && checked[i].offset < 1, {"point", "offset", i}, checked[i].offset, "0 .. 1");
+    checked[i].view = checked_unit(checked[i].view, {"point", "view", i});
+  }
+  if (points.empty() || wavelengths.empty()) return;
+  impl_->haze(altitude, to_sun, checked, wavelengths, shadows, inscatter, transmittance);
+}
+
+void Sky::surface(std::span<const SurfacePoint> points, double sun_zenith_cosine, std::span<const double> wavelengths,
+                  std::span<const double> albedo, std::span<double> radiance, std::span<double> skylight) const {
+  check(std::abs(sun_zenith_cosine) <= 1, "sun_zenith_cosine", sun_zenith_cosine, "-1 .. 1");
+  const std::size_t expected = points.size() * wavelengths.size();
+  check(albedo.size() == expected, "size of albedo", double(albedo.size()), "points times wavelengths");
+  check(radiance.size() == expected, "size of radiance", double(radiance.size()), "points times wavelengths");
+  check(skylight.empty() || skylight.size() == expected, "size of skylight", double(skylight.size()),
+        "points times wavelengths, or 0");
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const SurfacePoint& p = points[i];
+    check_altitude(p.altitude, impl_->atmosphere.planet.ground_radius, {"point", "altitude", i});
+    checked_unit(p.normal, {"point", "normal", i});
+    check(std::abs(p.sun_zenith_cosine) <= 1, {"point", "sun_zenith_cosine", i}, p.sun_zenith_cosine, "-1 .. 1");
+    check(std::abs(p.sun_cosine) <= 1, {"point", "sun_cosine", i}, p.sun_cosine, "-1 .. 1");
+    check(p.sun_visibility >= 0 && p.sun_visibility <= 1, {"point", "sun_visibility", i}, p.sun_visibility, "0 .. 1");
+    check(p.sky_view >= 0 && p.sky_view <= 1, {"point", "sky_view", i}, p.sky_view, "0 .. 1");
+  }
+  for (const double a : albedo) check(a >= 0 && a <= 1, "albedo", a, "0 .. 1");
+  if (!points.empty() && !wavelengths.empty())
+    impl_->surface(points, sun_zenith_cosine, wavelengths, albedo, radiance, skylight);
+}
+
+}  // namespace airlight

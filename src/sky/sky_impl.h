@@ -1,0 +1,93 @@
+// What a Sky holds, for the files that answer its questions: sky.cpp rays, points.cpp what a picture shows, picture.cpp pictures.
+#pragma once
+#include <algorithm>
+#include <map>
+#include <tuple>
+
+#include "airlight/sky.h"
+#include "engine/kernel_index.h"
+#include "model/model.h"
+#include "optics/bake.h"
+#include "sky/binder.h"
+
+namespace airlight {
+
+inline void set_texel(std::vector<double>& texels, std::size_t i, double x, double y, double z, double w) {
+  texels[4 * i] = x, texels[4 * i + 1] = y, texels[4 * i + 2] = z, texels[4 * i + 3] = w;
+}
+
+/// The kernels' struct Observer.
+inline Fields observer_fields(const Direction& sun, double altitude) {
+  return {{"sun", {sun[0], sun[1], sun[2], 0}}, {"altitude", {altitude}}};
+}
+
+/// Four wavelengths from the w-th on; the last stands for those that are missing.
+inline Quad quad_at(std::span<const double> wavelengths, std::size_t w) {
+  Quad quad;
+  for (std::size_t k = 0; k < 4; ++k) quad[k] = wavelengths[std::min(w + k, wavelengths.size() - 1)];
+  return quad;
+}
+
+// Below the ground sphere the ground lies just below the eye.
+inline constexpr double eye_height = 1;  // [m]
+
+struct Sky::Impl {
+  Atmosphere atmosphere;
+  const Model* model;
+  std::shared_ptr<Engine> engine;
+
+  struct Air {
+    Fields fields;
+    Table zones, profile, phases;
+  };
+  using Key = std::tuple<const Model*, Quad, double>;
+  std::map<Key, Air> baked;
+
+  // The air for four wavelengths above a datum.
+  const Air& air(const Model& m, const Quad& quad, double datum) {
+    const Key key{&m, quad, datum};
+    if (const auto found = baked.find(key); found != baked.end()) return found->second;
+    if (baked.size() > 64) baked.clear();  // observers below the ground sphere each have a datum of their own
+    BakedAir b = bake(atmosphere, quad, datum, m.air);
+    const auto upload = [&](const BakedTable& t) { return engine->upload(t.shape, t.rgba); };
+    return baked[key] = {std::move(b.numbers), upload(b.zones), upload(b.profile), upload(b.phases)};
+  }
+
+  Situation situation(double altitude, double datum) const {
+    return {atmosphere.planet.ground_radius + datum, atmosphere.planet.top_altitude - datum, altitude - datum};
+  }
+  static double datum_for(double altitude) { return altitude < 0 ? altitude - eye_height : 0; }
+
+  Binder binder(const Model& m, const Quad& quad, double altitude) {
+    const double datum = datum_for(altitude);
+    const Air& a = air(m, quad, datum);
+    Binder b(*engine, m, situation(altitude, datum));
+    b.set("air", a.fields);
+    b.set("zones", a.zones);
+    b.set("profile", a.profile);
+    b.set("phases", a.phases);
+    return b;
+  }
+
+  /// Answers rays that share a datum, four wavelengths at a time; `put(ray, wavelength, value)`.
+  using Put = std::function<void(std::size_t ray, std::size_t wavelength, double value)>;
+  void answer(Quantity quantity, std::span<const Ray> rays, std::span<const std::size_t> which,
+              std::span<const double> wavelengths, const Model& m, const Put& put);
+
+  // The map of shadows as a table. A picture is asked for in many parts, with one map: it is looked at once.
+  struct Cast {
+    std::shared_ptr<const std::vector<float>> edges;
+    double datum = 0;
+    Table table;
+  } last_cast;
+  const Table& cast(const AirShadows& shadows, double datum);
+
+  void haze(double altitude, const Direction& sun, std::span<const Sight> points, std::span<const double> wavelengths,
+            const AirShadows* shadows, std::span<double> inscatter, std::span<double> transmittance);
+  void march_haze(double altitude, const Direction& sun, std::span<const Sight> points,
+                  std::span<const double> wavelengths, std::span<double> inscatter, std::span<double> transmittance);
+  void surface(std::span<const SurfacePoint> points, double sun_zenith_cosine, std::span<const double> wavelengths,
+               std::span<const double> albedo, std::span<double> radiance, std::span<double> skylight);
+};
+
+}  // namespace airlight
