@@ -16,10 +16,11 @@ struct Solver {
   std::unique_ptr<Answerer> (*make)(const Workshop&);
 };
 #ifdef AIRLIGHT_WITH_REFERENCE
-constexpr Solver solvers[] = {{"reference-single", make_single_scattering_answerer},
+constexpr Solver solvers[] = {{"reference", make_reference_answerer},
+                              {"reference-single", make_single_scattering_answerer},
                               {"plane-parallel", make_plane_parallel_answerer}};
 #else
-constexpr Solver solvers[] = {{"reference-single", nullptr}, {"plane-parallel", nullptr}};
+constexpr Solver solvers[] = {{"reference", nullptr}, {"reference-single", nullptr}, {"plane-parallel", nullptr}};
 #endif
 
 /// The luminous part of every ray's spectrum.

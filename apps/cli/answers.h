@@ -74,6 +74,7 @@ std::vector<Answer> as_asked(
 // ---- one for each answers_*.cpp ----
 
 std::unique_ptr<Answerer> make_sky_answerer(const std::string& model, const Workshop& workshop);
+std::unique_ptr<Answerer> make_reference_answerer(const Workshop& workshop);
 std::unique_ptr<Answerer> make_single_scattering_answerer(const Workshop& workshop);
 std::unique_ptr<Answerer> make_plane_parallel_answerer(const Workshop& workshop);
 

@@ -9,6 +9,7 @@
 #include "batch_plane_parallel.h"
 #include "json_line.h"
 #include "number.h"
+#include "reference_request.h"
 
 namespace airlight::cli {
 namespace {
@@ -97,6 +98,7 @@ void read(const json& object, BatchRequest& request) {
     read_in_layers(fields, topic, request.ray);
   else
     read_in_air(fields, topic, request.ray);
+  if (topic.model == "reference") topic.own = reference_effort_text(fields);
   fields.expect_no_more();
 }
 

@@ -60,7 +60,7 @@ RandomLight run_batches(const Budget& budget, std::size_t orders, std::span<cons
                         const MakeBatches& make) {
   check(budget);
   // A standard error from fewer batches would itself be uncertain by more than a tenth.
-  constexpr long first_wave = 64, largest_wave = 8192;
+  constexpr long first_wave = 64, largest_wave = 1024;
   const std::size_t width = known.size(), row = orders * width;
   std::vector<Moments> by_order(row), total(width);
   std::vector<double> rows;
@@ -76,6 +76,7 @@ RandomLight run_batches(const Budget& budget, std::size_t orders, std::span<cons
       wave = std::min(wave, std::floor((budget.seconds - spent) / spent * double(done)));
     }
     if (!(wave >= 1)) break;
+    if (budget.between) budget.between();
     const long count = long(wave);
     rows.assign(std::size_t(count) * row, 0.0);
     tbb::parallel_for(tbb::blocked_range<long>(0, count, 4), [&](const tbb::blocked_range<long>& range) {

@@ -2,6 +2,7 @@
 // what it solves, how it was checked, and what it leaves out.
 #pragma once
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
@@ -25,9 +26,10 @@ struct MonteCarloSettings {
 
 /// When to stop: at the first that is reached; 0: no limit. At least one shall be given.
 struct Budget {
-  long walks = 0;           ///< rounded up to whole batches
-  double target_error = 0;  ///< standard error over mean, at the worst wavelength
-  double seconds = 0;       ///< of wall clock
+  long walks = 0;                 ///< rounded up to whole batches
+  double target_error = 0;        ///< standard error over mean, at the worst wavelength
+  double seconds = 0;             ///< of wall clock
+  std::function<void()> between;  ///< called every second or so; what it throws ends the work
 };
 
 /// One value for each wavelength.

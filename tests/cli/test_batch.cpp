@@ -302,6 +302,36 @@ TEST(Batch, the_reference_says_what_it_cannot_answer) {
     EXPECT_NE(answers[i].value("error", "").find(fragments[i]), std::string::npos) << answers[i];
   EXPECT_TRUE(answers[3].contains("value"));
 }
+// Random walks: the numbers of quadrature where one order is asked for, within their own errors; the same for a seed.
+TEST(Batch, the_random_reference_states_its_errors) {
+  const json walks = with(example, {{"model", "reference"}, {"atmosphere", "earth-bruneton"}, {"samples", 2048}});
+  const json once = with(walks, {{"model", "reference-single"}, {"max_order", 1}});
+  json exact = once;
+  exact.erase("samples");
+  const auto answers =
+      json_lines(batch(lines({walks, walks, with(walks, {{"seed", 2}}), with(walks, {{"max_order", 1}}), exact,
+                              with(walks, {{"quantity", "luminance"}}), with(walks, {{"quantity", "sky_irradiance"}}),
+                              with(walks, {{"samples", 0.5}}), with(walks, {{"target_error", 2}}), once}))
+                     .out);
+  ASSERT_EQ(answers.size(), 10u);
+  EXPECT_EQ(answers[0]["value"].size(), answers[0]["standard_error"].size());
+  EXPECT_EQ(answers[0]["samples"], 2048);
+  EXPECT_EQ(answers[0]["value"], answers[1]["value"]);
+  const double value = number(answers[0]), error = answers[0]["standard_error"][0];
+  EXPECT_NE(value, number(answers[2]));
+  // Two runs of the same error differ by more than six of them once in 50000 pairs.
+  EXPECT_NEAR(value, number(answers[2]), 6 * error);
+  EXPECT_LT(error, 0.03 * value);
+  // The first order is found by quadrature, with a tolerance of 1e-5.
+  EXPECT_NEAR(number(answers[3]) / number(answers[4]), 1, 1e-4);
+  EXPECT_GT(value, 1.05 * number(answers[4])) << "more than one order";
+  EXPECT_EQ(answers[5]["standard_error"].size(), 1u);
+  EXPECT_GT(number(answers[6]), 0);
+  EXPECT_NE(answers[7].value("error", "").find("samples = 0.5"), std::string::npos) << answers[7];
+  EXPECT_NE(answers[8].value("error", "").find("target_error = 2"), std::string::npos) << answers[8];
+  EXPECT_NE(answers[9].value("error", "").find("samples"), std::string::npos) << "a key of reference alone";
+}
+
 #else
 TEST(Batch, a_reference_that_is_not_built_in_says_so) {
   const auto answers = json_lines(batch(lines({with(example, {{"model", "reference-single"}})})).out);
