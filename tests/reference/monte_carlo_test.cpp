@@ -10,6 +10,7 @@
 
 #include "airlight/error.h"
 #include "atmospheres.h"
+#include "reference/adding_doubling.h"
 #include "reference/air.h"
 #include "reference/layers.h"
 #include "reference/walk.h"
@@ -374,6 +375,43 @@ TEST(MonteCarlo, energy_balance_of_a_whole_planet) {
               air.first / incident, out.first / incident, passed.first / incident, sum, error);
   EXPECT_LT(error, 1e-3);
   EXPECT_NEAR(sum, 1, std::max(1e-3, 3 * error));
+}
+
+// Two layers and a bright ground, flat but for 1e9 m of radius, against a solver that knows neither walks nor spheres.
+TEST(MonteCarlo, flat_air_agrees_with_adding_and_doubling) {
+  Atmosphere flat = with(vacuum(1e9, 10e3), layer(2e3, 10e3), 0.25 / 8e3, 0, RayleighPhase{0.03});
+  flat = with(with(flat, layer(0, 2e3), 0.3 / 2e3, 0.03 / 2e3, HenyeyGreensteinPhase{0.7}), layer(0, 2e3), 0.1 / 2e3, 0,
+              RayleighPhase{0.03});
+  flat.planet.albedo = 0.5;
+  flat.sun.irradiance = 1;
+  const Scatterer molecules{0.25, RayleighPhase{0.03}}, haze{0.3, HenyeyGreensteinPhase{0.7}},
+      few{0.1, RayleighPhase{0.03}};
+  const AddingDoubling truth(PlaneParallelAir{{Layer{{molecules}, 0}, Layer{{haze, few}, 0.03}}, 0.5});
+  const MonteCarlo solver(flat, {&wavelength, 1}, {.point_sun = true});
+  Scores scores;
+  for (const double sun : {70.0, 35.0, 12.0})
+    for (const double view : {75.0, 40.0, 15.0})
+      for (const double azimuth : {20.0, 110.0, 170.0})
+        for (const bool from_space : {false, true}) {
+          const Ray ray{.altitude = from_space ? 20e3 : 0,
+                        .view = towards(from_space ? -view : view, azimuth),
+                        .sun = towards(sun)};
+          const RandomLight light = solver.radiance(ray, {.walks = 8192});
+          const double expected =
+              truth.radiance(from_space ? Level::space : Level::ground, {&ray.view, 1}, ray.sun).front();
+          // 15 degrees above the horizon, 10 km of air span 40 km and bend by 4e-5 of the zenith angle; 1e-4 of light.
+          scores.add(light.total.mean[0], expected, std::hypot(light.total.standard_error[0], 1e-4 * expected));
+          EXPECT_LT(light.total.standard_error[0], 0.01 * expected);
+        }
+  const RandomLight sky = solver.sky_irradiance({.sun = towards(35)}, {.walks = 16384});
+  scores.add(sky.total.mean[0], truth.fluxes(std::sin(35 * degree)).diffuse, sky.total.standard_error[0]);
+  double mean = 0;
+  for (const double z : scores.all) {
+    EXPECT_LT(std::abs(z), far);
+    mean += z / double(scores.all.size());
+  }
+  std::printf("%zu z-scores against adding-doubling, mean %.2f\n", scores.all.size(), mean);
+  EXPECT_LT(std::abs(mean), 3 / std::sqrt(double(scores.all.size())));
 }
 
 TEST(MonteCarlo, names_what_is_wrong) {
