@@ -136,7 +136,11 @@ Land::Land(LandSettings settings) {
   for (std::size_t i = 0; i < files.size(); ++i) {
     m.layers.emplace_back(m.settings.files[i], files[i], *m.geography, m.extent);
   }
-  if (!m.layers.empty()) m.plain = m.layers[0].metres(m.layers[0].pyramid.border_mean());
+  if (m.settings.plain_altitude) {
+    m.plain = *m.settings.plain_altitude;
+  } else if (!m.layers.empty()) {
+    m.plain = m.layers[0].metres(m.layers[0].pyramid.border_mean());
+  }
 }
 Land::~Land() = default;
 Land::Land(Land&&) noexcept = default;

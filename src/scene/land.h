@@ -28,8 +28,9 @@ struct LandSettings {
   std::optional<ReliefSettings>
       relief;                   ///< beyond the files; none: the sphere at the mean height of the first file's border
   std::optional<Place> origin;  ///< where the scene's frame stands; none: the middle of the first file
-  double planet_radius = 6'371'000;  ///< [m]
-  double extent = 100'000;           ///< half the side of the square that has relief [m]; plain beyond
+  double planet_radius = 6'371'000;      ///< [m]
+  std::optional<double> plain_altitude;  ///< [m] beyond everything; none: the mean along the first file's border, or 0
+  double extent = 100'000;               ///< half the side of the square that has relief [m]; plain beyond
 };
 
 /// The land's height, everywhere on the planet. const use is thread-safe; parts of files are read when first asked for.

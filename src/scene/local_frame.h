@@ -36,6 +36,18 @@ class LocalFrame {
     return {p[0] * scale, p[1] * scale, (p[2] + radius_) * scale};
   }
 
+  /// East, north and up of somebody standing at a point: the scene's own axes, turned by the least angle that makes up vertical.
+  struct Axes {
+    Direction east, north, up;
+  };
+  Axes axes(const Position& p) const {
+    const Direction u = up(p);
+    const double scale = 1 / (1 + u[2]);  // Rodrigues' rotation from (0, 0, 1) to up; nobody stands at the antipodes
+    return {{1 - u[0] * u[0] * scale, -u[0] * u[1] * scale, -u[0]},
+            {-u[0] * u[1] * scale, 1 - u[1] * u[1] * scale, -u[1]},
+            u};
+  }
+
   Position position(const GroundPoint& g) const {
     const double arc2 = (g.east * g.east + g.north * g.north) / (radius_ * radius_);
     // sin(a)/a and 1 - cos(a): series below 0.1 rad (600 km on Earth), where the next term is 3e-13.

@@ -95,7 +95,7 @@ ShadowMap shadow_map(const Land& land, const Direction& sun, double angular_radi
 
   // A ridge's shadow is as soft as its distance times the sun's width: far ground may be coarse.
   std::vector<double> beyond, inside;
-  for (double u = farthest; u > edge; u -= std::max(map.spacing, 0.01 * (u - edge))) beyond.push_back(u);
+  for (double u = farthest; u > edge; u -= std::max(map.spacing, 0.005 * (u - edge))) beyond.push_back(u);
   for (int i = 0; i < grid.cells; ++i) inside.push_back(map.first_along + i * map.spacing);
 
   tbb::parallel_for(0, grid.cells, [&](int row) {
@@ -107,7 +107,7 @@ ShadowMap shadow_map(const Land& land, const Direction& sun, double angular_radi
       dark = std::max(dark, upper.offset(ground.u[i], ground.z[i]));
       lit = std::max(lit, lower.offset(ground.u[i], ground.z[i]));
     };
-    const Ground far(land, map, v, beyond, map.spacing), near(land, map, v, inside, 0.5 * map.spacing);
+    const Ground far(land, map, v, beyond, 0.5 * map.spacing), near(land, map, v, inside, 0.5 * map.spacing);
     for (std::size_t i = 0; i < beyond.size(); ++i) meet(far, i);
     for (std::size_t i = inside.size(); i-- > 0;) {
       meet(near, i);

@@ -27,10 +27,10 @@ class Wanted {
       const double facet = facet_pixels * near * detail_.pixel_angle;
       return std::max(pixel, std::clamp(facet, finest / 8, finest));
     }
-    // On the plain only the planet's curve shows: a chord stays within a quarter of a pixel, or a hundred millionth of the
-    // radius, of its arc.
+    // On the plain only the planet's curve shows: the chord across a cell stays within a quarter of a pixel, or a thousand
+    // millionth of the radius, of its arc.
     const double radius = land_.frame().radius();
-    return std::max(pixel, std::sqrt(8 * radius * std::max(0.25 * near * detail_.pixel_angle, 1e-8 * radius)));
+    return std::max(pixel, std::sqrt(4 * radius * std::max(0.25 * near * detail_.pixel_angle, 1e-9 * radius)));
   }
 
  private:

@@ -200,9 +200,15 @@ void TableReader::fail_message(std::string_view key, const std::string& message)
   throw InputError(at_line(*file_, line_of(path(key))) + message);
 }
 
+std::string TableReader::location(std::string_view key) const {
+  return at_line(*file_, line_of(path(key))) + path(key);
+}
+
 std::size_t TableReader::line_of(std::string path) const {
   while (!path.empty()) {
-    if (const auto node = toml::at_path(*root_, path)) return node.node()->source().begin.line;
+    // Line 0: put there by the program, not by the file.
+    const auto node = toml::at_path(*root_, path);
+    if (node && node.node()->source().begin.line > 0) return node.node()->source().begin.line;
     const std::size_t cut = path.find_last_of(".[");
     path.resize(cut == std::string::npos ? 0 : cut);
   }

@@ -50,6 +50,9 @@ class TableReader {
   /// A message that names the key itself, at the key's line.
   [[noreturn]] void fail_message(std::string_view key, const std::string& message) const;
 
+  /// "scene.toml:12: camera.altitude", for complaints that come when the file is long read.
+  std::string location(std::string_view key) const;
+
   const std::string& file() const { return *file_; }
 
  private:

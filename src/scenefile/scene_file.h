@@ -1,0 +1,45 @@
+// Scenes as TOML: air, sun, land, camera and picture. docs/scene_file.md lists every key.
+#pragma once
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "airlight/atmosphere.h"
+#include "scene/land.h"
+#include "scene/scene_camera.h"
+#include "scene/scene_sun.h"
+#include "scene/surface_colour.h"
+
+namespace airlight {
+
+/// How the picture is made and written.
+struct ScenePicture {
+  int samples = 1;           ///< rays a pixel
+  bool soft_shadows = true;  ///< by the sun's size
+  bool air_shadows = true;   ///< mountains cut the light out of the haze
+  std::string model = "skyview";
+  std::optional<double> exposure_ev;  ///< of a .png [EV]; none: automatic
+  std::string tone = "filmic";        ///< or "reinhard"
+};
+
+struct Scene {
+  std::string name;  ///< the file's, without folder and ending
+  Atmosphere air;
+  SceneCamera camera;
+  SceneSun sun;
+  LandSettings
+      land;  ///< files with their paths as this process finds them; the planet's radius is that of the air's planet
+  bool has_land = false;  ///< false: neither files nor relief, a bare sphere
+  double detail = 1.5;    ///< wanted side of a triangle [pixels]
+  SurfaceSettings surface;
+  ScenePicture picture;
+};
+
+/// @param file  for messages; files named inside are looked for beside it
+/// @throws InputError: "scene.toml:12: camera.field_of_view = 200: expected 0.1 .. 170 degrees"; unknown keys get "did you mean".
+Scene parse_scene(std::string_view text, const std::string& file);
+
+/// @throws InputError.
+Scene load_scene(const std::string& path);
+
+}  // namespace airlight
