@@ -10,6 +10,9 @@ using Command = std::function<int()>;
 
 // Each adds its subcommand; when the command line names it, `chosen` becomes what to run.
 void add_sky(CLI::App& app, Command& chosen);
+void add_render(CLI::App& app, Command& chosen);
+void add_haze(CLI::App& app, Command& chosen);
+void add_sequence(CLI::App& app, Command& chosen);
 void add_probe(CLI::App& app, Command& chosen);
 void add_eval(CLI::App& app, Command& chosen);
 void add_models(CLI::App& app, Command& chosen);

@@ -22,6 +22,9 @@ int run(int argc, char** argv) {
   app.get_formatter()->column_width(38);
   Command chosen;
   add_sky(app, chosen);
+  add_render(app, chosen);
+  add_haze(app, chosen);
+  add_sequence(app, chosen);
   add_probe(app, chosen);
   add_eval(app, chosen);
   add_models(app, chosen);

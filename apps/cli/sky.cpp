@@ -6,15 +6,13 @@
 #include <chrono>
 #include <cmath>
 #include <memory>
-#include <set>
 
 #include "airlight/error.h"
 #include "commands.h"
-#include "did_you_mean.h"
-#include "image/picture_file.h"
 #include "interrupt.h"
 #include "number_option.h"
 #include "options.h"
+#include "picture_outputs.h"
 #include "progress.h"
 
 namespace airlight::cli {
@@ -47,13 +45,6 @@ constexpr ProjectionChoice projections[] = {
 };
 constexpr int cube_faces = 6;
 constexpr Interval legal_size{1, 65'536, "pixels"}, legal_face{1, 4096, "pixels"};
-
-/// The place of a word in a list of words. @throws InputError with "did you mean".
-std::size_t choose(std::string_view option, std::string_view text, const std::vector<std::string_view>& names) {
-  for (std::size_t i = 0; i < names.size(); ++i)
-    if (names[i] == text) return i;
-  throw InputError(fmt::format("{} = {}: unknown{}", option, text, did_you_mean(text, names)));
-}
 
 Camera make_camera(const SkyOptions& options) {
   std::vector<std::string_view> names;
@@ -95,16 +86,6 @@ std::vector<double> picture_wavelengths(const std::string& text) {
     throw InputError(
         fmt::format("--wavelengths = {}: {} wavelengths; expected a multiple of 4", text, wavelengths.size()));
   return wavelengths;
-}
-
-PictureFormat make_format(const SkyOptions& options) {
-  PictureFormat format;
-  format.half = !options.full_float;
-  if (options.exposure != "auto")
-    format.exposure_ev = parse_number(options.exposure, "--exposure", {-100, 100, "EV (or auto)"});
-  format.tone_curve =
-      choose("--tone", options.tone, {"filmic", "reinhard"}) == 0 ? ToneCurve::filmic : ToneCurve::reinhard;
-  return format;
 }
 
 Metadata make_metadata(const SkyOptions& options, const Sky& sky, const Camera& camera, const SunPlace& sun,
@@ -157,22 +138,17 @@ int run_sky(const SkyOptions& options) {
   const auto started = std::chrono::steady_clock::now();
   // Everything that can be wrong with the words is found before any work is done or any file is touched.
   const Camera camera = make_camera(options);
-  const PictureFormat format = make_format(options);
+  const PictureFormat format = picture_format(options.exposure, options.tone, options.full_float);
   const PictureOptions picture{!options.no_sun, picture_wavelengths(options.wavelengths)};
   const SunPlace sun = options.sun.resolve();
   options.machine.check_model();
   Atmosphere atmosphere = options.air.load();
   sun.apply_distance(atmosphere);
-  if (std::set(options.outputs.begin(), options.outputs.end()).size() != options.outputs.size())
-    throw InputError("-o: the same file is named twice");
   const Sky sky(atmosphere, options.machine.model, options.machine.make());
 
   const bool cube = camera.projection == Projection::cube;
   const Metadata metadata = make_metadata(options, sky, camera, sun, picture.wavelengths);
-  std::vector<std::unique_ptr<PictureFile>> files;
-  for (const std::string& path : options.outputs)
-    files.push_back(
-        std::make_unique<PictureFile>(path, camera.width * (cube ? cube_faces : 1), camera.height, format, metadata));
+  PictureOutputs files(options.outputs, camera.width * (cube ? cube_faces : 1), camera.height, format, metadata);
 
   {
     Progress progress("sky");
@@ -181,7 +157,7 @@ int run_sky(const SkyOptions& options) {
       return !interrupted();
     };
     const auto write = [&](int begin, int end, std::span<const float> rgba) {
-      for (const auto& file : files) file->write_rows(begin, end, rgba);
+      files.write(begin, end, rgba);
       return go_on(double(end) / camera.height);
     };
     const bool whole = cube ? render_cube(sky, camera, sun.direction(), picture, write, go_on)
@@ -189,16 +165,13 @@ int run_sky(const SkyOptions& options) {
     if (!whole) throw Interrupted{};
     check_interrupt();
   }
-  for (const auto& file : files) file->finish();
+  files.finish();
 
-  std::string names;
-  for (const std::string& path : options.outputs) names += (names.empty() ? "" : ", ") + path;
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
-  fmt::print(stderr, "{}: {} x {}, {}, {} on {}, sun at azimuth {:.2f}, elevation {:.2f} degrees{}; {:.2f} s\n", names,
+  fmt::print(stderr, "{}: {} x {}, {}, {} on {}, sun at azimuth {:.2f}, elevation {:.2f} degrees{}; {:.2f} s\n", files.names(),
              camera.width * (cube ? cube_faces : 1), camera.height, sky.atmosphere().name, sky.model(),
              describe(sky.engine()), sun.azimuth, sun.elevation, sun.refraction ? " with refraction" : "", seconds);
-  for (std::size_t i = 0; i < files.size(); ++i)
-    for (const std::string& note : files[i]->notes()) fmt::print(stderr, "{}: {}\n", options.outputs[i], note);
+  files.tell_notes();
   return ok;
 }
 

@@ -73,7 +73,7 @@ Response combine(const Response& near, const Response& back, double near_depth, 
   return both;
 }
 
-/// Light scattered once, exact, and twice, to the lowest order in the depth (Hovenier 1971 starts alike).
+/// Light scattered once, exact, and twice, to the lowest order in the depth.
 Response thin_slab(double depth, const Matrix& forward, const Matrix& backward, const Streams& streams) {
   Response slab{Matrix(forward.rows, forward.columns), Matrix(forward.rows, forward.columns)};
   for (int i = 0; i < forward.rows; ++i)

@@ -37,7 +37,7 @@ struct Harmonics {
 };
 
 /// Light that a homogeneous slab scatters once, back and on, for 4 times the kernel of a phase function 1 / (4 pi) and no
-/// absorption (Chandrasekhar 1950, section 7; Hansen & Travis 1974).
+/// absorption (Hansen & Travis 1974).
 double reflected_once(double optical_depth, double mu, double sun_cosine);
 double transmitted_once(double optical_depth, double mu, double sun_cosine);
 

@@ -15,8 +15,7 @@
 namespace airlight {
 namespace {
 
-constexpr int sky_view_cells = 512;
-constexpr double least_height = 0.5;  // of the eye above the ground [m]
+constexpr int sky_view_cells = 320;
 
 double dot(const Direction& a, const Direction& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 Direction unit(const Direction& d) {
@@ -25,23 +24,8 @@ Direction unit(const Direction& d) {
 }
 Direction wide(const std::array<float, 3>& a) { return {double(a[0]), double(a[1]), double(a[2])}; }
 
-/// East, north and up at a point of the scene, in the scene's frame: north is the scene's, laid level.
-struct EyeFrame {
-  Direction east, north, up;
-  EyeFrame(const LocalFrame& frame, const Position& p) : up(frame.up(p)) {
-    east = unit({1 - up[0] * up[0], -up[0] * up[1], -up[0] * up[2]});
-    north = {up[1] * east[2] - up[2] * east[1], up[2] * east[0] - up[0] * east[2], up[0] * east[1] - up[1] * east[0]};
-  }
-  Direction to_scene(const Direction& d) const {
-    Direction out;
-    for (std::size_t i = 0; i < 3; ++i) out[i] = d[0] * east[i] + d[1] * north[i] + d[2] * up[i];
-    return out;
-  }
-  Direction from_scene(const Direction& d) const { return {dot(d, east), dot(d, north), dot(d, up)}; }
-};
-
 /// The scene's shadow map as the air's kernels read it, in the eye's frame.
-AirShadows air_shadows(const ShadowMap& map, const EyeFrame& frame, const Position& eye, int steps) {
+AirShadows air_shadows(const ShadowMap& map, const PlacedCamera& camera, int steps) {
   AirShadows shadows;
   shadows.width = shadows.height = map.cells;
   shadows.steps = steps;
@@ -51,58 +35,22 @@ AirShadows air_shadows(const ShadowMap& map, const EyeFrame& frame, const Positi
   for (std::size_t i = 0; i < map.lit.size(); ++i) edges.insert(edges.end(), {map.dark[i], map.lit[i]});
   shadows.edges = std::make_shared<const std::vector<float>>(std::move(edges));
   const double size = map.spacing * map.cells;
-  const Direction* const axes[] = {&frame.east, &frame.north, &frame.up};
-  const std::array<double, 2> origin = map.texel(eye);
+  const std::array<double, 2> origin = map.texel(camera.eye);
   for (std::size_t i = 0; i < 3; ++i) {
-    shadows.across[i] = ((*axes[i])[0] * map.along[0] + (*axes[i])[1] * map.along[1]) / size;
-    shadows.along[i] = ((*axes[i])[0] * map.across[0] + (*axes[i])[1] * map.across[1]) / size;
+    const Direction axis = camera.to_scene({double(i == 0), double(i == 1), double(i == 2)});
+    shadows.across[i] = (axis[0] * map.along[0] + axis[1] * map.along[1]) / size;
+    shadows.along[i] = (axis[0] * map.across[0] + axis[1] * map.across[1]) / size;
   }
   shadows.across[3] = (origin[0] + 0.5) / map.cells;
   shadows.along[3] = (origin[1] + 0.5) / map.cells;
   return shadows;
 }
 
-double camera_pixel(const Camera& camera) {
-  switch (camera.projection) {
-    case Projection::equirectangular:
-      return 2 * std::numbers::pi / camera.width;
-    case Projection::fisheye:
-      return camera.field_of_view / camera.width;
-    case Projection::cube:
-      return 2.0 / camera.width;
-    case Projection::perspective:
-      break;
-  }
-  return 2 * std::tan(camera.field_of_view / 2) / camera.width;
-}
-
-/// The cone around the camera's axis that holds the picture [rad].
-double camera_cone(const Camera& camera) {
-  switch (camera.projection) {
-    case Projection::equirectangular:
-      return std::numbers::pi;
-    case Projection::fisheye:
-      return camera.field_of_view / 2;
-    case Projection::cube:
-      return 0.96;  // atan(sqrt 2)
-    case Projection::perspective:
-      break;
-  }
-  return std::atan(std::tan(camera.field_of_view / 2) * std::hypot(1.0, double(camera.height) / camera.width));
-}
-
-std::shared_ptr<const Land> checked(std::shared_ptr<const Land> land, const SceneView& view,
-                                    const SceneOptions& options) {
-  const double ground = land->altitude(view.eye.east, view.eye.north);
-  if (!(view.eye.altitude >= ground + least_height)) {
-    throw InputError("altitude of the camera = " + number_text(view.eye.altitude) + " m: the land there is " +
-                     number_text(ground) + " m high; expected at least " + number_text(ground + least_height) + " m");
-  }
-  const int side = int(std::lround(std::sqrt(options.samples)));
-  if (options.samples < 1 || options.samples > 256 || side * side != options.samples) {
-    throw InputError("samples = " + std::to_string(options.samples) + ": expected a square number, 1 .. 256");
-  }
-  return land;
+int checked_samples(int samples) {
+  const int side = int(std::lround(std::sqrt(samples)));
+  if (samples < 1 || samples > 256 || side * side != samples)
+    throw InputError("samples = " + std::to_string(samples) + ": expected a square number, 1 .. 256");
+  return samples;
 }
 
 template <class Work>
@@ -112,14 +60,9 @@ void in_parallel(std::size_t count, const Work& work) {
   });
 }
 
-LevelOfDetail level_of_detail(const EyeFrame& frame, const Position& eye, const Camera& camera,
-                              const SceneOptions& options) {
-  LevelOfDetail detail;
-  detail.eye = eye;
-  detail.pixel_angle = camera_pixel(camera);
-  detail.pixels = options.triangle_pixels;
-  detail.half_angle = camera_cone(camera);
-  detail.axis = frame.to_scene(view_direction(camera, 0.5, 0.5));
+LevelOfDetail level_of_detail(const PlacedCamera& camera, double pixels) {
+  LevelOfDetail detail = camera.detail();
+  detail.pixels = pixels;
   return detail;
 }
 
@@ -130,8 +73,9 @@ struct SceneRenderer::Impl {
   std::shared_ptr<const Land> land;
   SceneView view;
   SceneOptions options;
+  int samples, width;
   Position eye;
-  EyeFrame frame;
+  double altitude, pixel;  // of the eye [m]; of a pixel [rad]
   Direction sun_at_eye;
   Terrain terrain;
   std::vector<double> wavelengths;
@@ -139,19 +83,28 @@ struct SceneRenderer::Impl {
   SkyViewMap sky_view;
   std::optional<AirShadows> shadows;
   std::vector<std::array<double, 3>> to_rgb;  // a wavelength: linear sRGB of its radiance
-  DiscInPicture disc;
   std::array<double, 4> limb{}, irradiance{};
+  struct Face {
+    std::function<std::optional<Direction>(double u, double v)> look;
+    DiscInPicture disc;
+  };
+  std::vector<Face> faces;   // a cube has six, every other picture one
+  std::size_t sun_face = 0;  // the one that looks nearest to the Sun
+  double nearest = -2;       // cosine of the angle between
 
   Impl(const Sky& s, std::shared_ptr<const Land> l, const SurfaceSettings& surface, const SceneView& v,
        const SceneOptions& o)
       : sky(s),
-        land(checked(std::move(l), v, o)),
+        land(std::move(l)),
         view(v),
         options(o),
-        eye(land->frame().position(v.eye)),
-        frame(land->frame(), eye),
-        sun_at_eye(frame.from_scene(v.sun)),
-        terrain(land, level_of_detail(frame, eye, v.camera, o)),
+        samples(checked_samples(o.samples)),
+        width(v.camera.camera.width * (v.camera.camera.projection == Projection::cube ? 6 : 1)),
+        eye(v.camera.eye),
+        altitude(land->frame().altitude(eye)),
+        pixel(v.camera.detail().pixel_angle),
+        sun_at_eye(v.camera.from_scene(v.sun)),
+        terrain(land, level_of_detail(v.camera, o.triangle_pixels)),
         wavelengths([&] {
           const auto quad = s.realtime_wavelengths();
           return std::vector<double>(quad.begin(), quad.end());
@@ -159,20 +112,27 @@ struct SceneRenderer::Impl {
         colour(surface, land, wavelengths) {
     const Atmosphere& air = sky.atmosphere();
     const double reach = std::min(options.shadow_grid.half_width, land->extent());
-    sky_view = sky_view_map(*land, view.eye.east, view.eye.north, reach, sky_view_cells);
+    const GroundPoint below = land->frame().ground(eye);
+    sky_view = sky_view_map(*land, below.east, below.north, reach, sky_view_cells);
     if (options.air_shadows) {
       ShadowGrid grid = options.shadow_grid;
       grid.east = eye[0];
       grid.north = eye[1];
       shadows =
-          air_shadows(shadow_map(*land, view.sun, air.sun.angular_radius, grid), frame, eye, options.shadow_steps);
+          air_shadows(shadow_map(*land, view.sun, air.sun.angular_radius, grid), view.camera, options.shadow_steps);
     }
     for (const Xyz& weight : colour_weights(air, wavelengths)) to_rgb.push_back(xyz_to_srgb(weight));
     for (std::size_t k = 0; k < 4; ++k) {
       limb[k] = air.sun.limb_darkening.at(wavelengths[k]);
       irradiance[k] = air.sun.irradiance.at(wavelengths[k]);
     }
-    disc = disc_in_picture(view.camera, sun_at_eye, air.sun.angular_radius, limb);
+    Camera camera = view.camera.camera;
+    for (camera.face = 0; camera.face < width / camera.width; ++camera.face) {
+      faces.push_back({viewer(camera), disc_in_picture(camera, sun_at_eye, air.sun.angular_radius, limb)});
+      const Direction axis = view_direction(camera, 0.5, 0.5);
+      if (camera.face == 0 || dot(axis, sun_at_eye) > nearest)
+        sun_face = std::size_t(camera.face), nearest = dot(axis, sun_at_eye);
+    }
   }
 
   std::array<double, 3> rgb(const double* spectrum) const {
@@ -181,6 +141,13 @@ struct SceneRenderer::Impl {
       for (std::size_t c = 0; c < 3; ++c) out[c] += to_rgb[k][c] * spectrum[k];
     }
     return out;
+  }
+
+  // The direction at picture coordinates; a cube's faces lie side by side.
+  std::optional<Direction> look(double u, double v) const {
+    const double across = u * double(faces.size());
+    const std::size_t face = std::min(std::size_t(std::max(across, 0.0)), faces.size() - 1);
+    return faces[face].look(across - double(face), v);
   }
 
   // The samples of a strip, one after the other, pixel by pixel.
@@ -193,21 +160,18 @@ struct SceneRenderer::Impl {
   };
 
   Samples see_rows(int begin, int end) const {
-    const Camera& camera = view.camera;
-    const std::size_t pixels = std::size_t(end - begin) * std::size_t(camera.width),
-                      count = pixels * std::size_t(options.samples);
-    const int side = int(std::lround(std::sqrt(options.samples)));
-    const auto look = viewer(camera);
+    const Camera& camera = view.camera.camera;
+    const std::size_t count = std::size_t(end - begin) * std::size_t(width) * std::size_t(samples);
+    const int side = int(std::lround(std::sqrt(samples)));
     Samples s;
     s.sights.resize(count);
     s.inside.resize(count);
     in_parallel(count, [&](std::size_t i) {
-      const std::size_t pixel = i / std::size_t(options.samples), sample = i % std::size_t(options.samples);
-      const double x = double(pixel % std::size_t(camera.width)),
-                   y = double(begin) + double(pixel / std::size_t(camera.width));
+      const std::size_t nth = i / std::size_t(samples), sample = i % std::size_t(samples);
+      const double x = double(nth % std::size_t(width)), y = double(begin) + double(nth / std::size_t(width));
       const double dx = (double(sample % std::size_t(side)) + 0.5) / side,
                    dy = (double(sample / std::size_t(side)) + 0.5) / side;
-      const std::optional<Direction> seen = look((x + dx) / camera.width, (y + dy) / camera.height);
+      const std::optional<Direction> seen = look((x + dx) / width, (y + dy) / camera.height);
       s.inside[i] = seen.has_value();
       s.sights[i].view = seen.value_or(Direction{0, 0, 1});
       // A low-discrepancy pattern over the picture (Roberts 2018, sequence R2) and the samples of a pixel (golden ratio).
@@ -222,7 +186,7 @@ struct SceneRenderer::Impl {
   void see(Samples& s) const {
     const std::size_t count = s.sights.size();
     std::vector<SceneRay> rays(count);
-    in_parallel(count, [&](std::size_t i) { rays[i] = {eye, frame.to_scene(s.sights[i].view)}; });
+    in_parallel(count, [&](std::size_t i) { rays[i] = {eye, view.camera.to_scene(s.sights[i].view)}; });
     s.hits.resize(count);
     terrain.hits(rays, s.hits);
 
@@ -234,9 +198,9 @@ struct SceneRenderer::Impl {
 
     s.inscatter.resize(4 * count);
     s.transmittance.resize(4 * count);
-    sky.haze(view.eye.altitude, sun_at_eye, s.sights, wavelengths, shadows ? &*shadows : nullptr, s.inscatter,
-             s.transmittance);
+    sky.haze(altitude, sun_at_eye, s.sights, wavelengths, shadows ? &*shadows : nullptr, s.inscatter, s.transmittance);
     if (options.sun_disc) {
+      const DiscInPicture& disc = faces[sun_face].disc;
       const double reach = disc.radius + disc.edge;
       in_parallel(count, [&](std::size_t i) {
         if (s.hits[i].hit()) return;
@@ -251,7 +215,7 @@ struct SceneRenderer::Impl {
   }
 
   Answer at(double u, double v) const {
-    const std::optional<Direction> seen = viewer(view.camera)(u, v);
+    const std::optional<Direction> seen = look(u, v);
     if (!seen)
       throw InputError("picture coordinates (" + number_text(u) + ", " + number_text(v) +
                        "): outside the fisheye's circle");
@@ -259,7 +223,7 @@ struct SceneRenderer::Impl {
     s.sights = {{*seen}};
     s.inside = {1};
     see(s);
-    Answer answer{*seen, sun_at_eye, frame.to_scene(*seen), s.hits[0].distance, {}, {}, {}};
+    Answer answer{*seen, sun_at_eye, view.camera.to_scene(*seen), s.hits[0].distance, {}, {}, {}};
     for (std::size_t k = 0; k < 4; ++k) {
       answer.inscatter[k] = s.inscatter[k];
       answer.transmittance[k] = s.transmittance[k];
@@ -279,11 +243,11 @@ struct SceneRenderer::Impl {
     std::vector<SunQuestion> questions;
     for (const std::size_t i : which) questions.push_back({s.hits[i].position, s.hits[i].normal});
     std::vector<float> visible(which.size());
-    terrain.sun_visibility(questions, view.sun, sky.atmosphere().sun.angular_radius, visible);
+    terrain.sun_visibility(questions, view.sun, options.soft_shadows ? sky.atmosphere().sun.angular_radius : 0.0,
+                           visible);
 
     std::vector<SurfacePoint> points(which.size());
     std::vector<double> albedo(4 * which.size()), radiance(albedo.size()), skylight(albedo.size());
-    const double pixel = camera_pixel(view.camera);
     in_parallel(which.size(), [&](std::size_t j) {
       const TerrainHit& hit = s.hits[which[j]];
       const Direction up = land->frame().up(hit.position), normal = wide(hit.shading_normal);
@@ -316,8 +280,7 @@ struct SceneRenderer::Impl {
 
   // Means over the samples of each pixel.
   SceneRows rows(const Samples& s, int begin, int end) const {
-    const std::size_t pixels = std::size_t(end - begin) * std::size_t(view.camera.width),
-                      per_pixel = std::size_t(options.samples);
+    const std::size_t pixels = std::size_t(end - begin) * std::size_t(width), per_pixel = std::size_t(samples);
     SceneRows out;
     out.begin = begin;
     out.end = end;
@@ -384,13 +347,14 @@ SceneRenderer::~SceneRenderer() = default;
 
 SceneRenderer::Answer SceneRenderer::at(double u, double v) const { return impl_->at(u, v); }
 
+int SceneRenderer::width() const { return impl_->width; }
 const Terrain& SceneRenderer::terrain() const { return impl_->terrain; }
 
 bool SceneRenderer::render(const std::function<bool(const SceneRows&)>& rows) const {
-  const Camera& camera = impl_->view.camera;
+  const Camera& camera = impl_->view.camera.camera;
   constexpr int samples_at_once =
       1 << 15;  // few enough that their arrays stay in the cache and are used again, many for all cores
-  const int step = std::max(1, samples_at_once / (camera.width * impl_->options.samples));
+  const int step = std::max(1, samples_at_once / (impl_->width * impl_->samples));
   for (int begin = 0; begin < camera.height; begin += step) {
     const int end = std::min(begin + step, camera.height);
     if (!rows(impl_->rows(impl_->see_rows(begin, end), begin, end))) return false;

@@ -6,26 +6,26 @@
 #include <vector>
 
 #include "airlight/sky.h"
+#include "scene/scene_camera.h"
 #include "scene/shadow_map.h"
 #include "scene/surface_colour.h"
-#include "scene/terrain.h"
 
 namespace airlight {
 
-/// Who looks at which land, in which light.
+/// Who looks, in which light.
 struct SceneView {
-  Camera camera;           ///< its altitude is not used: `eye` says
-  GroundPoint eye;         ///< above the land
+  PlacedCamera camera;
   Direction sun{0, 0, 1};  ///< unit, towards the Sun's centre, in the scene's frame
 };
 
 struct SceneOptions {
-  int samples = 1;          ///< a pixel, a square number to 256; the Sun's disc and shadows soften with it
-  bool air_shadows = true;  ///< land casts shadows into the air
+  int samples = 1;           ///< a pixel, a square number to 256; the Sun's disc and shadows soften with it
+  bool air_shadows = true;   ///< land casts shadows into the air
+  bool soft_shadows = true;  ///< on the ground, by the Sun's size
   bool sun_disc = true;
   double triangle_pixels = 1.5;  ///< wanted side of a triangle
   ShadowGrid shadow_grid;        ///< centred on the eye; its middle is not used
-  int shadow_steps = 64;         ///< points on a view ray where shadows are looked for
+  int shadow_steps = 40;         ///< points on a view ray where shadows are looked for
 };
 
 /// Layers of consecutive rows [begin, end): pixel after pixel. Radiance as linear sRGB [cd/m^2].
@@ -52,6 +52,7 @@ class SceneRenderer {
   ~SceneRenderer();
 
   const Terrain& terrain() const;
+  int width() const;  ///< of the picture [pixels]: a cube's six faces lie side by side
 
   /// What one line of sight brings, spectrally, at the four wavelengths of real time.
   struct Answer {

@@ -1,36 +1,13 @@
 // `airlight sky`: what lies in the files.
-#include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "read_picture.h"
 #include "run_program.h"
 
 namespace airlight {
 namespace {
-
-struct Picture {
-  int width = 0, height = 0;
-  std::vector<float> rgb;
-  std::string header;  ///< metadata as text
-
-  float luminance(int x, int y) const {
-    const float* pixel = &rgb[3 * (std::size_t(y) * std::size_t(width) + std::size_t(x))];
-    return 0.2126f * pixel[0] + 0.7152f * pixel[1] + 0.0722f * pixel[2];
-  }
-};
-
-Picture read_picture(const std::string& path) {
-  const auto input = OIIO::ImageInput::open(path);
-  if (!input) throw std::runtime_error(OIIO::geterror());
-  const OIIO::ImageSpec& spec = input->spec();
-  Picture picture{
-      spec.width, spec.height, std::vector<float>(std::size_t(spec.width) * std::size_t(spec.height) * 3), {}};
-  input->read_image(0, 0, 0, 3, OIIO::TypeDesc::FLOAT, picture.rgb.data());
-  for (const auto& attribute : spec.extra_attribs)
-    picture.header += attribute.name().string() + " = " + attribute.get_string() + '\n';
-  return picture;
-}
 
 Picture sky(std::vector<std::string> more, const std::string& file = "sky.exr") {
   const Folder folder;

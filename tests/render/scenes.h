@@ -29,16 +29,16 @@ inline std::shared_ptr<const Land> land_from(const char* file) {
 /// An eye so far above the ground, and a lens of 60 degrees.
 inline SceneView view_from(const Land& land, double east, double north, double height, double azimuth, double elevation,
                            Direction sun) {
-  SceneView view;
-  view.eye = {east, north, land.altitude(east, north) + height};
-  view.camera = {.projection = Projection::perspective,
-                 .width = 48,
-                 .height = 27,
-                 .azimuth = azimuth * deg,
-                 .elevation = elevation * deg,
-                 .field_of_view = 60 * deg};
-  view.sun = sun;
-  return view;
+  SceneCamera camera;
+  camera.camera = {.projection = Projection::perspective,
+                   .width = 48,
+                   .height = 27,
+                   .azimuth = azimuth * deg,
+                   .elevation = elevation * deg,
+                   .field_of_view = 60 * deg};
+  camera.spot = std::array{east, north};
+  camera.height_above_ground = height;
+  return {place_camera(camera, land), sun};
 }
 
 }  // namespace airlight::test

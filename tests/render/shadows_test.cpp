@@ -71,7 +71,7 @@ TEST(shadows_in_the_air, agree_with_brute_force) {
   for (const Scene& scene : scenes) {
     SceneOptions options;
     options.shadow_grid.half_width = 30'000;
-    const Position eye = scene.land->frame().position(scene.view.eye);
+    const Position eye = scene.view.camera.eye;
     const SceneRenderer renderer(sky, scene.land, {}, scene.view, options);
     // Pixels here and there, on the ground and in the sky.
     std::mt19937 random(11);
@@ -82,7 +82,7 @@ TEST(shadows_in_the_air, agree_with_brute_force) {
       const double u = double(random() % 1000) / 1000, v = double(random() % 1000) / 1000;
       const SceneRenderer::Answer got = renderer.at(u, v);
       // The eye's own frame is the scene's, turned by less than 0.1 degrees: exact for both.
-      Ray ray{scene.view.eye.altitude, got.view, got.sun, std::min(got.distance, 60'000.0)};
+      Ray ray{scene.land->frame().altitude(eye), got.view, got.sun, std::min(got.distance, 60'000.0)};
       if (got.distance > 60'000) continue;  // beyond the map
       const auto first = shaded_first_order(solver, renderer.terrain(), eye, got.view_in_scene, ray, scene.view.sun,
                                             air.sun.angular_radius);

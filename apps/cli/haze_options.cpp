@@ -1,0 +1,191 @@
+#include "haze_options.h"
+
+#include <fmt/core.h>
+
+#include "airlight/error.h"
+#include "number_option.h"
+#include "picture_outputs.h"
+
+namespace airlight::cli {
+namespace {
+
+struct LensChoice {
+  std::string_view name;
+  Projection projection;
+  double field_of_view, elevation;  ///< [degrees], when not said; no field of view: it must be
+  Interval legal_view;
+};
+constexpr LensChoice lenses[] = {
+    {"perspective", Projection::perspective, 0, 0, {0.1, 170, "degrees"}},
+    {"fisheye", Projection::fisheye, 0, 90, {1, 360, "degrees"}},
+    {"equirectangular", Projection::equirectangular, 360, 0, {360, 360, "degrees"}},
+    {"cube", Projection::cube, 90, 0, {90, 90, "degrees"}},
+};
+// Renderers mark the sky with numbers like 1e10 (Blender), which no scene reaches.
+constexpr double far_away = 1e9;
+
+const std::vector<std::string_view> depth_kinds{"z", "distance", "position", "buffer", "reversed", "logarithmic"};
+
+}  // namespace
+
+DepthMeaning HazeOptions::depth_meaning() const {
+  DepthMeaning meaning;
+  meaning.kind = static_cast<DepthKind>(choose("--depth-kind", depth_kind, depth_kinds));
+  meaning.unit = unit;
+  const bool zbuffer = meaning.kind == DepthKind::buffer || meaning.kind == DepthKind::reversed;
+  const bool logarithmic = meaning.kind == DepthKind::logarithmic;
+  if (near && !zbuffer && !logarithmic)
+    throw InputError(fmt::format("--near has no meaning for --depth-kind {}", depth_kind));
+  if (constant && !logarithmic)
+    throw InputError(fmt::format("--log-constant has no meaning for --depth-kind {}", depth_kind));
+  if (zbuffer && !near) throw InputError(fmt::format("--depth-kind {} needs --near [units of the file]", depth_kind));
+  if (logarithmic && !(far && near.has_value() != constant.has_value()))
+    throw InputError("--depth-kind logarithmic needs --far, and either --near or --log-constant");
+  meaning.near = near.value_or(0);
+  meaning.constant = constant.value_or(0);
+  meaning.far = far.value_or(zbuffer ? std::numeric_limits<double>::infinity() : far_away);
+  if (meaning.near >= meaning.far)
+    throw InputError(fmt::format("--near = {:g}: expected less than --far = {:g}", meaning.near, meaning.far));
+  return meaning;
+}
+
+UpAxis HazeOptions::up() const { return choose("--up-axis", up_axis, {"y", "z"}) == 0 ? UpAxis::y : UpAxis::z; }
+bool HazeOptions::fill_sky() const { return choose("--sky", sky, {"fill", "leave"}) == 0; }
+bool HazeOptions::bad_depth_is_sky() const { return choose("--bad-depth", bad_depth, {"error", "sky"}) == 1; }
+
+std::optional<std::array<double, 3>> HazeOptions::eye_position() const {
+  if (eye.empty()) return {};
+  std::array<double, 3> position{};
+  std::size_t begin = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t end = i == 2 ? eye.size() : eye.find(',', begin);
+    if (end == std::string::npos) throw InputError(fmt::format("--eye = {}: expected three numbers, X,Y,Z", eye));
+    position[i] = parse_number(std::string_view(eye).substr(begin, end - begin), "--eye", {-1e15, 1e15, "units"});
+    begin = end + 1;
+  }
+  return position;
+}
+
+void HazeOptions::change(Camera& camera, bool complete) const {
+  if (!projection.empty() || complete) {
+    std::vector<std::string_view> names;
+    for (const LensChoice& lens : lenses) names.push_back(lens.name);
+    const LensChoice& lens = lenses[projection.empty() ? 0 : choose("--projection", projection, names)];
+    camera.projection = lens.projection;
+    if (!field_of_view && lens.field_of_view == 0)
+      throw InputError(fmt::format("which lens? Give --field-of-view (of {}) [degrees, {:g} .. {:g}], --exr-camera or --scene",
+                                   lens.name, lens.legal_view.low, lens.legal_view.high));
+    camera.field_of_view = lens.field_of_view * degree;
+    camera.elevation = lens.elevation * degree;
+  }
+  if (field_of_view) {
+    for (const LensChoice& lens : lenses)
+      if (lens.projection == camera.projection)
+        check_number(*field_of_view, fmt::format("--field-of-view (of {})", lens.name), lens.legal_view);
+    camera.field_of_view = *field_of_view * degree;
+  }
+  if (azimuth) camera.azimuth = *azimuth * degree;
+  if (elevation) camera.elevation = *elevation * degree;
+  if (roll) camera.roll = *roll * degree;
+}
+
+void HazeOptions::add_to(CLI::App& app) {
+  const char* const picture = "Picture";
+  const char* const lens = "Camera";
+  const char* const output = "Output";
+  app.add_option("--color", color, "finished picture, linear sRGB: .exr, or what else OpenImageIO reads")
+      ->required()
+      ->type_name("FILE");
+  app.add_option("-o,--output", outputs,
+                 "picture to write: .exr and .hdr linear in cd/m2, .png tone-mapped; may be repeated")
+      ->required()
+      ->allow_extra_args(false)
+      ->type_name("FILE");
+
+  app.add_option("--color-channels", color_channels,
+                 "names as in R,G,B or R,G,B,A, or a layer: LAYER.R, .G, .B and, where there is one, .A (default R,G,B "
+                 "with A)")
+      ->group(picture)
+      ->type_name("LIST");
+  add_number(app, "--exposure-of-color", scale, {1e-9, 1e9, "cd/m2"}, "luminance of a white of 1 in the picture")
+      ->group(picture);
+  app.add_option("--depth", depth,
+                 "channel that holds depth (default Z); for positions three, or a layer: LAYER.X, .Y, .Z")
+      ->group(picture)
+      ->type_name("NAME");
+  app.add_option("--depth-file", depth_file, "where it is, if not beside the colour")->group(picture)->type_name("FILE");
+  app.add_option("--depth-kind", depth_kind,
+                 "z (along the camera's axis), distance, position, buffer (0 near, 1 far), reversed (1 near, 0 far), "
+                 "logarithmic (default z)")
+      ->group(picture)
+      ->type_name("NAME");
+  add_number(app, "--unit", unit, {1e-9, 1e15, "m"}, "length of the file's unit")->group(picture);
+  add_number(app, "--near", near, {1e-12, 1e15, "units"}, "of buffer, reversed and logarithmic")->group(picture);
+  add_number(app, "--far", far, {1e-12, 1e15, "units"},
+             "the sky begins here (default 1e9; buffer and reversed: infinite)")
+      ->group(picture);
+  add_number(app, "--log-constant", constant, {1e-12, 1e12, "1/units"},
+             "C of a logarithmic depth log(C z + 1) / log(C far + 1), in place of --near")
+      ->group(picture);
+  app.add_option("--bad-depth", bad_depth, "NaN and negative depth: error, or sky (default error)")
+      ->group(picture)
+      ->type_name("WHAT");
+  app.add_option("--sky", sky, "pixels without depth: fill with the sky, or leave (default fill)")
+      ->group(picture)
+      ->type_name("WHAT");
+
+  app.add_option("--projection", projection, "perspective, fisheye, equirectangular, cube (default perspective)")
+      ->group(lens)
+      ->type_name("NAME");
+  add_number(app, "--field-of-view", field_of_view, {0.1, 360, "degrees"},
+             "perspective: horizontal, up to 170; fisheye: across the circle, from 1")
+      ->group(lens);
+  add_number(app, "--camera-azimuth", azimuth, {-360, 360, "degrees"},
+             "middle of the picture, from north, clockwise (default 0)")
+      ->group(lens);
+  add_number(app, "--camera-elevation", elevation, {-90, 90, "degrees"},
+             "axis above the horizon (default 0, fisheye 90)")
+      ->group(lens);
+  add_number(app, "--camera-roll", roll, {-360, 360, "degrees"},
+             "camera's turn about its axis, right side up (default 0)")
+      ->group(lens);
+  add_number(app, "--altitude", altitude, {lowest_altitude, highest_altitude, "m"}, "camera above the ground (default 2)")
+      ->group(lens);
+  auto* const exr = app.add_flag("--exr-camera", exr_camera, "camera from the picture's worldToNDC or worldToCamera")
+                        ->group(lens);
+  for (const char* angle : {"--projection", "--camera-azimuth", "--camera-elevation", "--camera-roll"})
+    exr->excludes(app.get_option(angle));
+  app.add_option("--up-axis", up_axis, "of the file's world: y or z (default z)")->group(lens)->type_name("AXIS");
+  add_number(app, "--north", north, {-360, 360, "degrees"},
+             "azimuth of the file's y (up z) or -z (up y), for --exr-camera")
+      ->group(lens);
+  app.add_option("--eye", eye, "camera in the file's axes and unit, for positions")->group(lens)->type_name("X,Y,Z");
+
+  sun.add_to(app);
+  air.add_to(app);
+  auto* const scene_option = app.add_option("--scene", scene,
+                                            "air, sun, camera and land of a scene file in place of these options; land "
+                                            "casts its shadows into the air")
+                                 ->group("Air")
+                                 ->type_name("FILE");
+  for (const char* name : {"--planet", "--aerosol-optical-depth", "--angstrom", "--ozone", "--place", "--time",
+                           "--sun-elevation", "--sun-azimuth"})
+    scene_option->excludes(app.get_option(name));
+  app.add_flag("--no-air-shadows", no_air_shadows, "the scene's land casts no shadows into the air")->group("Air");
+  app.add_option("--model", model, "model of the sky (default skyview, or the scene's)")
+      ->group("Model and engine")
+      ->type_name("NAME");
+  add_engine(app, engine);
+
+  app.add_option("--exposure", exposure,
+                 "of a .png: auto, or EV, by which 1 cd/m2 is brightened by 2^EV [EV, -100 .. 100] (default auto)")
+      ->group(output)
+      ->type_name("EV");
+  app.add_option("--tone", tone, "tone curve of a .png: filmic, reinhard (default filmic)")
+      ->group(output)
+      ->type_name("NAME");
+  app.add_flag("--float", full_float, "32-bit .exr in place of half floats, which end at 65504 cd/m2")->group(output);
+  app.add_flag("--no-sun", no_sun, "leave the sun's disc out of a filled sky")->group(output);
+}
+
+}  // namespace airlight::cli

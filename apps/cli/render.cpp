@@ -1,0 +1,67 @@
+// `airlight render`: a picture of a landscape in real air, with its layers.
+#include <fmt/core.h>
+
+#include <chrono>
+#include <memory>
+
+#include "commands.h"
+#include "progress.h"
+#include "scene_render.h"
+
+namespace airlight::cli {
+namespace {
+
+struct RenderOptions {
+  std::string scene;
+  std::vector<std::string> outputs;
+  ScenePictureOptions picture;
+};
+
+int run_render(const RenderOptions& options) {
+  const auto started = std::chrono::steady_clock::now();
+  const std::vector<Layer> layers = options.picture.layers();
+  Scene scene = load_scene(options.scene);
+  options.picture.apply(scene);
+  const PictureFormat format = options.picture.format(scene);
+  // Everything that can be wrong is found before a file is touched.
+  const SceneShot shot(scene, std::make_shared<const Land>(scene.land), engine_named(options.picture.engine),
+                       !options.picture.no_sun);
+  const std::string engine = describe(shot.sky().engine());
+  Metadata metadata = shot.metadata();
+  metadata.push_back({"engine", engine});
+  PictureOutputs files(options.outputs, shot.width(), shot.height(), format, metadata);
+  {
+    Progress progress("render");
+    shot.paint(files, layers, [&](double fraction) { progress.show(fraction); });
+  }
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
+  const auto mesh = shot.renderer().terrain().statistics();
+  fmt::print(
+      stderr,
+      "{}: {} x {}, {} samples a pixel, {}, {} on {}, sun at azimuth {:.2f}, elevation {:.2f} degrees, {} thousand "
+      "triangles; {:.2f} s\n",
+      files.names(), shot.width(), shot.height(), shot.samples(), scene.air.name, shot.sky().model(), engine,
+      shot.sun().azimuth, shot.sun().elevation, 2 * mesh.cells / 1000, seconds);
+  files.tell_notes();
+  return ok;
+}
+
+}  // namespace
+
+void add_render(CLI::App& app, Command& chosen) {
+  const auto options = std::make_shared<RenderOptions>();
+  CLI::App& render = *app.add_subcommand("render", "A picture of a landscape in real air, from a scene file");
+  render.add_option("scene", options->scene, "scene to render, TOML (docs/scene_file.md)")
+      ->required()
+      ->type_name("FILE");
+  render
+      .add_option("-o,--output", options->outputs,
+                  "picture to write: .exr and .hdr linear in cd/m2, .png tone-mapped; may be repeated")
+      ->required()
+      ->allow_extra_args(false)
+      ->type_name("FILE");
+  options->picture.add_to(render);
+  render.callback([options, &chosen] { chosen = [options] { return run_render(*options); }; });
+}
+
+}  // namespace airlight::cli

@@ -1,0 +1,169 @@
+#include "scene_render.h"
+
+#include <fmt/core.h>
+
+#include <cmath>
+
+#include "commands.h"
+#include "interrupt.h"
+#include "number_option.h"
+
+namespace airlight::cli {
+namespace {
+
+const std::vector<Layer>& all_layers() {
+  const auto rgb = [](const char* name) {
+    return std::vector<std::string>{fmt::format("{}.R", name), fmt::format("{}.G", name), fmt::format("{}.B", name)};
+  };
+  const auto xyz = [](const char* name) {
+    return std::vector<std::string>{fmt::format("{}.X", name), fmt::format("{}.Y", name), fmt::format("{}.Z", name)};
+  };
+  static const std::vector<Layer> all{{"surface", rgb("surface"), &SceneRows::surface},
+                                      {"transmittance", rgb("transmittance"), &SceneRows::transmittance},
+                                      {"inscatter", rgb("inscatter"), &SceneRows::inscatter},
+                                      {"depth", {"Z"}, &SceneRows::depth},
+                                      {"position", xyz("position"), &SceneRows::position},
+                                      {"normal", xyz("normal"), &SceneRows::normal},
+                                      {"albedo", rgb("albedo"), &SceneRows::albedo},
+                                      {"sun_visibility", {"sun_visibility"}, &SceneRows::sun_visibility},
+                                      {"sky_irradiance", rgb("sky_irradiance"), &SceneRows::sky_irradiance}};
+  return all;
+}
+
+SunPlace sun_place(const Scene& scene, const Land& land) {
+  const SunPosition sun = sun_of(scene.sun, land.origin());
+  SunPlace place;
+  place.azimuth = sun.azimuth / degree;
+  place.elevation = sun.elevation / degree;
+  place.distance = sun.distance;
+  return place;
+}
+
+Sky make_sky(const Scene& scene, const SunPlace& sun, std::shared_ptr<Engine> engine) {
+  Atmosphere air = scene.air;
+  sun.apply_distance(air);
+  return Sky(std::move(air), scene.picture.model, std::move(engine));
+}
+
+SceneOptions scene_options(const Scene& scene, bool sun_disc) {
+  SceneOptions how;
+  how.samples = scene.picture.samples;
+  how.air_shadows = scene.picture.air_shadows;
+  how.soft_shadows = scene.picture.soft_shadows;
+  how.sun_disc = sun_disc;
+  how.triangle_pixels = scene.detail;
+  return how;
+}
+
+}  // namespace
+
+void ScenePictureOptions::add_to(CLI::App& app) {
+  app.add_option("--aov", aov,
+                 "layers of an .exr, which then is of 32-bit floats: all, or surface,transmittance,inscatter,depth,"
+                 "position,normal,albedo,sun_visibility,sky_irradiance")
+      ->type_name("LIST");
+  const char* const instead = "Instead of what the scene says";
+  app.add_option("--size", size, "pixels, 1 .. 16384 a side, or the width alone")->group(instead)->type_name("WxH");
+  app.add_option("--samples", samples, "rays a pixel, a square number [1 .. 256]")->group(instead)->type_name("N");
+  app.add_option("--exposure", exposure,
+                 "of a .png: auto, or EV, by which 1 cd/m2 is brightened by 2^EV [EV, -100 .. 100]")
+      ->group(instead)
+      ->type_name("EV");
+  app.add_option("--tone", tone, "tone curve of a .png: filmic, reinhard")->group(instead)->type_name("NAME");
+  app.add_option("--model", model, "model of the sky (shadows in the air need skyview)")
+      ->group(instead)
+      ->type_name("NAME");
+  app.add_flag("--no-air-shadows", no_air_shadows, "land casts no shadows into the air")->group(instead);
+  app.add_flag("--float", full_float, "32-bit .exr in place of half floats, which end at 65504 cd/m2");
+  app.add_flag("--no-sun", no_sun, "leave the sun's disc out");
+  add_engine(app, engine);
+}
+
+void ScenePictureOptions::apply(Scene& scene) const {
+  constexpr Interval legal_size{1, 16'384, "pixels"};
+  Camera& camera = scene.camera.camera;
+  if (!size.empty()) {
+    const std::size_t cross = size.find('x');
+    const double shape = double(camera.height) / camera.width;
+    camera.width = parse_whole(std::string_view(size).substr(0, cross), "--size", legal_size);
+    camera.height = cross == std::string::npos
+                        ? std::max(1, static_cast<int>(std::lround(camera.width * shape)))
+                        : parse_whole(std::string_view(size).substr(cross + 1), "--size", legal_size);
+  }
+  if (samples) scene.picture.samples = *samples;
+  if (no_air_shadows) scene.picture.air_shadows = false;
+  if (!model.empty()) scene.picture.model = model;
+  if (!tone.empty()) scene.picture.tone = tone;
+  check_model_name(scene.picture.model, "--model", model_names());
+}
+
+std::vector<Layer> ScenePictureOptions::layers() const {
+  if (aov.empty()) return {};
+  if (aov == "all") return all_layers();
+  std::vector<std::string_view> names;
+  for (const Layer& layer : all_layers()) names.push_back(layer.name);
+  std::vector<Layer> chosen;
+  for (std::size_t begin = 0; begin <= aov.size();) {
+    const std::size_t end = std::min(aov.find(',', begin), aov.size());
+    chosen.push_back(all_layers()[choose("--aov", std::string_view(aov).substr(begin, end - begin), names)]);
+    begin = end + 1;
+  }
+  return chosen;
+}
+
+PictureFormat ScenePictureOptions::format(const Scene& scene) const {
+  const std::vector<Layer> extra = layers();
+  std::string ev = exposure;
+  if (ev.empty()) ev = scene.picture.exposure_ev ? fmt::format("{}", *scene.picture.exposure_ev) : "auto";
+  PictureFormat format = picture_format(ev, scene.picture.tone, full_float || !extra.empty());
+  for (const Layer& layer : extra)
+    format.layers.insert(format.layers.end(), layer.channels.begin(), layer.channels.end());
+  return format;
+}
+
+SceneShot::SceneShot(const Scene& scene, std::shared_ptr<const Land> land, std::shared_ptr<Engine> engine,
+                     bool sun_disc)
+    : sun_(sun_place(scene, *land)),
+      sky_(make_sky(scene, sun_, std::move(engine))),
+      renderer_(sky_, land, scene.surface, {place_camera(scene.camera, *land), sun_.direction()},
+                scene_options(scene, sun_disc)),
+      height_(scene.camera.camera.height),
+      samples_(scene.picture.samples) {
+  const PlacedCamera placed = place_camera(scene.camera, *land);
+  metadata_ = {{"Software", version()},
+               {"scene", scene.name},
+               {"atmosphere", scene.air.name},
+               {"model", std::string(sky_.model())},
+               {"units", "cd m-2, linear sRGB primaries"},
+               {"samples a pixel", double(samples_)},
+               {"shadows in the air", scene.picture.air_shadows ? "single scattering" : "none"},
+               {"camera altitude [m]", land->frame().altitude(placed.eye)},
+               {"camera azimuth [degrees]", placed.camera.azimuth / degree},
+               {"camera elevation [degrees]", placed.camera.elevation / degree},
+               {"field of view [degrees]", placed.camera.field_of_view / degree}};
+  sun_.describe(metadata_);
+}
+
+void SceneShot::paint(PictureOutputs& files, const std::vector<Layer>& layers,
+                      const std::function<void(double)>& progress) const {
+  std::vector<float> rgba;
+  const bool whole = renderer_.render([&](const SceneRows& rows) {
+    rgba.resize(4 * rows.depth.size());
+    for (std::size_t i = 0; i < rows.depth.size(); ++i) {
+      std::copy_n(&rows.rgb[3 * i], 3, &rgba[4 * i]);
+      rgba[4 * i + 3] = 1;
+    }
+    std::vector<LayerRows> planes;
+    for (const Layer& layer : layers)
+      for (std::size_t c = 0; c < layer.channels.size(); ++c)
+        planes.push_back({(rows.*layer.values).data() + c, layer.channels.size()});
+    files.write(rows.begin, rows.end, rgba, planes);
+    progress(double(rows.end) / height_);
+    return !interrupted();
+  });
+  if (!whole) throw Interrupted{};
+  check_interrupt();
+  files.finish();
+}
+
+}  // namespace airlight::cli

@@ -1,0 +1,69 @@
+// What `render` and `sequence` share: the picture of a scene, with what the command line says instead of the scene.
+#pragma once
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "airlight/sky.h"
+#include "options.h"
+#include "picture_outputs.h"
+#include "render/scene_renderer.h"
+#include "scenefile/scene_file.h"
+
+namespace airlight::cli {
+
+/// A layer's channels in the file, and where they stand in a strip.
+struct Layer {
+  std::string_view name;
+  std::vector<std::string> channels;
+  std::vector<float> SceneRows::*values;
+};
+
+/// Which layers, and what replaces a scene's own words.
+struct ScenePictureOptions {
+  std::string size, exposure, tone, aov, model, engine = "simd";
+  std::optional<int> samples;
+  bool full_float = false, no_air_shadows = false, no_sun = false;
+
+  void add_to(CLI::App& app);
+  /// @throws InputError
+  void apply(Scene& scene) const;
+  std::vector<Layer> layers() const;  ///< @throws InputError with "did you mean"
+  /// How the picture is written. @throws InputError
+  PictureFormat format(const Scene& scene) const;
+};
+
+/// One picture of a scene, made ready: all that can be wrong with the scene has been said.
+class SceneShot {
+ public:
+  /// @param scene  with its options applied
+  SceneShot(const Scene& scene, std::shared_ptr<const Land> land, std::shared_ptr<Engine> engine, bool sun_disc);
+  SceneShot(const SceneShot&) = delete;  // the renderer knows where the sky lives
+  SceneShot& operator=(const SceneShot&) = delete;
+
+  const SceneRenderer& renderer() const { return renderer_; }
+  int width() const { return renderer_.width(); }
+  int height() const { return height_; }
+  const SunPlace& sun() const { return sun_; }
+  const Sky& sky() const { return sky_; }
+  int samples() const { return samples_; }
+  /// All but the engine: threads and processor are no part of a picture.
+  const Metadata& metadata() const { return metadata_; }
+
+  /// Renders into files. @param progress  is told how much is done, 0 .. 1. @throws Interrupted
+  void paint(PictureOutputs& files, const std::vector<Layer>& layers,
+             const std::function<void(double)>& progress) const;
+
+ private:
+  SunPlace sun_;
+  Sky sky_;
+  SceneRenderer renderer_;
+  int height_, samples_;
+  Metadata metadata_;
+};
+
+}  // namespace airlight::cli

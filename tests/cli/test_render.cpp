@@ -1,0 +1,112 @@
+// `airlight render`: what lies in the files, and what it says of bad words.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "read_picture.h"
+#include "run_program.h"
+
+namespace airlight {
+namespace {
+
+constexpr char mountains[] = R"(
+air = "earth"
+[camera]
+width = 64
+height = 36
+height_above_ground = 300
+azimuth = 30
+field_of_view = 60
+[sun]
+elevation = 12
+azimuth = 80
+[relief]
+seed = 3
+)";
+
+TEST(Render, layers_recombine_to_the_picture) {
+  const Folder folder;
+  write_file(folder / "scene.toml", mountains);
+  const Outcome outcome = run(folder, {"render", "scene.toml", "-o", "a.exr", "-o", "a.png", "--aov", "all"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const Picture picture = read_picture(folder / "a.exr");
+  EXPECT_EQ(picture.width, 64);
+  EXPECT_EQ(picture.height, 36);
+  const auto layer = [&](const char* name) -> const std::vector<float>& {
+    const auto found = picture.layers.find(name);
+    if (found == picture.layers.end()) throw std::runtime_error(std::string("no layer ") + name);
+    return found->second;
+  };
+  int sky = 0, lit = 0;
+  for (std::size_t i = 0; i < layer("Z").size(); ++i) {
+    const char* const colours[] = {"R", "G", "B"};
+    for (std::size_t c = 0; c < 3; ++c) {
+      const auto of = [&](const std::string& name) { return layer((name + '.' + colours[c]).c_str())[i]; };
+      const float rgb = of("surface") * of("transmittance") + of("inscatter");
+      ASSERT_NEAR(rgb, picture.rgb[3 * i + c], 1e-5 * std::abs(rgb));  // rounding of 32-bit floats
+    }
+    sky += std::isinf(layer("Z")[i]);
+    lit += layer("sun_visibility")[i] > 0.5f;
+  }
+  EXPECT_GT(sky, 100);
+  EXPECT_GT(lit, 100);
+  EXPECT_EQ(read_picture(folder / "a.png").width, 64);
+  EXPECT_EQ(folder.names().size(), 3u);
+}
+
+TEST(Render, chosen_layers_alone_are_written) {
+  const Folder folder;
+  write_file(folder / "scene.toml", mountains);
+  const Outcome outcome = run(folder, {"render", "scene.toml", "--size", "16", "-o", "a.exr", "--aov", "depth,normal"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const Picture picture = read_picture(folder / "a.exr");
+  EXPECT_EQ(picture.width, 16);
+  EXPECT_EQ(picture.height, 9);
+  EXPECT_TRUE(picture.layers.contains("Z"));
+  EXPECT_TRUE(picture.layers.contains("normal.X"));
+  EXPECT_FALSE(picture.layers.contains("surface.R"));
+}
+
+TEST(Render, a_cube_has_six_faces) {
+  const Folder folder;
+  std::string scene = mountains;
+  scene.replace(scene.find("[camera]"), 8, "[camera]\ntype = \"cube\"");
+  for (const char* line : {"height = 36\n", "field_of_view = 60\n", "azimuth = 30\n"})
+    scene.replace(scene.find(line), std::string(line).size(), "");
+  scene.replace(scene.find("width = 64"), 10, "width = 16");
+  write_file(folder / "scene.toml", scene);
+  const Outcome outcome = run(folder, {"render", "scene.toml", "-o", "a.exr"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const Picture picture = read_picture(folder / "a.exr");
+  EXPECT_EQ(picture.width, 96);
+  EXPECT_EQ(picture.height, 16);
+  // Face 5 looks up into the sky, face 6 down to the ground 300 m below: brighter and darker than each other's neighbour.
+  EXPECT_GT(picture.luminance(72, 8), 0);
+  EXPECT_GT(picture.luminance(88, 8), 0);
+}
+
+TEST(Render, bad_words_are_named_and_nothing_is_written) {
+  const Folder folder;
+  write_file(folder / "scene.toml", mountains);
+  const struct {
+    std::vector<std::string> words;
+    const char* says;
+  } cases[] = {{{"render", "none.toml", "-o", "a.png"}, "none.toml"},
+               {{"render", "scene.toml", "-o", "a.png", "--aov", "depht"}, "did you mean depth"},
+               {{"render", "scene.toml", "-o", "a.png", "--samples", "3"}, "samples = 3"},
+               {{"render", "scene.toml", "-o", "a.png", "--size", "0"}, "--size"},
+               {{"render", "scene.toml", "-o", "a.png", "--model", "skyveiw"}, "did you mean skyview"},
+               {{"render", "scene.toml", "-o", "a.png", "--model", "single"}, "cannot shade"},
+               {{"render", "scene.toml", "-o", "a.txt"}, ".txt"},
+               {{"render", "scene.toml", "-o", "a.png", "-o", "a.png"}, "named twice"},
+               {{"render", "scene.toml"}, "--output"}};
+  for (const auto& c : cases) {
+    const Outcome outcome = run(folder, c.words);
+    EXPECT_EQ(outcome.code, 2) << c.says;
+    EXPECT_NE(outcome.err.find(c.says), std::string::npos) << outcome.err;
+    EXPECT_EQ(folder.names(), std::vector<std::string>{"scene.toml"});
+  }
+}
+
+}  // namespace
+}  // namespace airlight
