@@ -1,0 +1,50 @@
+#include "scene/sky_view.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "raster_maker.h"
+
+namespace airlight {
+namespace {
+
+Land land_of(const Scratch& scratch, const std::function<double(double, double)>& height) {
+  write_raster(scratch.path("land.tif"), {.width = 400, .height = 400},
+               [&](double x, double y, int) { return height((x - 200) * 25, (200 - y) * 25); });
+  LandSettings settings;
+  settings.files = {{.file = scratch.path("land.tif"), .cell_size = 25}};
+  return Land(settings);
+}
+
+TEST(SkyView, a_plain_sees_all_of_it) {
+  const Land land(LandSettings{});
+  const SkyViewMap map = sky_view_map(land, 0, 0, 5000, 32);
+  for (const float factor : map.factor) EXPECT_NEAR(factor, 1, 1e-6);
+}
+
+TEST(SkyView, a_slope_sees_half_of_one_plus_its_cosine) {
+  const Scratch scratch;
+  for (const double tangent : {0.2, 0.6}) {
+    const Land land =
+        land_of(scratch, [&](double east, double north) { return 5000 + tangent * (0.6 * east - 0.8 * north); });
+    // Near the middle: the file's border, where the slope ends, is 4 km away.
+    const SkyViewMap map = sky_view_map(land, 0, 0, 500, 16);
+    // Uphill horizon at the slope's own rise; 16 directions integrate smooth functions to 1e-3. Below it the plain ends.
+    EXPECT_NEAR(map.at(0, 0), 0.5 * (1 + 1 / std::sqrt(1 + tangent * tangent)), 0.005) << tangent;
+  }
+}
+
+TEST(SkyView, the_floor_of_a_long_valley) {
+  const Scratch scratch;
+  // Walls that rise at 45 degrees from the valley's axis on, 2 km high: horizon at 45 degrees, except along the valley.
+  const Land land = land_of(scratch, [](double east, double) { return 1000 + std::min(std::abs(east), 2000.0); });
+  const SkyViewMap map = sky_view_map(land, 0, 0, 400, 17);
+  // From the axis the horizon at azimuth a from the axis has tan(h) = |sin a|; cosine-weighted sky: mean of cos^2 h =
+  // mean of 1 / (1 + sin^2 a) = 1 / sqrt(2). The axis is rounded by the 25 m cells and lies between two columns.
+  EXPECT_NEAR(map.at(0, 0), 1 / std::sqrt(2.0), 0.03);
+}
+
+}  // namespace
+}  // namespace airlight
