@@ -14,7 +14,6 @@
 #include "image/output_file.h"
 #include "interrupt.h"
 #include "optics/colour.h"
-#include "picture_outputs.h"
 #include "reference/random_picture.h"
 
 namespace airlight::cli {
@@ -78,7 +77,9 @@ class Status {
 };
 
 template <class Pixel>
-void write(PictureOutputs& files, const ReferenceSky& sky, Pixel pixel) {
+void write(const std::string& path, const ReferenceSky& sky, const PictureFormat& format, const Metadata& metadata,
+           Pixel pixel) {
+  PictureFile file(path, sky.camera.width, sky.camera.height, format, metadata);
   std::vector<float> row(std::size_t(sky.camera.width) * 4);
   for (int y = 0; y < sky.camera.height; ++y) {
     for (int x = 0; x < sky.camera.width; ++x) {
@@ -86,20 +87,23 @@ void write(PictureOutputs& files, const ReferenceSky& sky, Pixel pixel) {
       for (int c = 0; c < 3; ++c) row[4 * x + c] = float(rgb[c]);
       row[4 * x + 3] = 1;
     }
-    files.write(y, y + 1, row);
+    file.write_rows(y, y + 1, row);
   }
-  files.finish();
+  file.finish();
 }
 
 void write_pictures(const ReferenceSky& sky, const reference::RandomPicture& picture, const std::string& error_file) {
   Metadata metadata = sky.metadata;
   metadata.push_back({"walks a pixel", double(picture.passes()) * reference::RandomPicture::walks_in_a_pass});
-  metadata.push_back({"standard error / luminance, median", picture.median_error()});
-  PictureOutputs files(sky.outputs, sky.camera.width, sky.camera.height, sky.format, metadata);
-  write(files, sky, [&](int x, int y) { return xyz_to_srgb(picture.xyz(x, y)); });
+  // Before there are enough passes, no error is known.
+  if (std::isfinite(picture.median_error()))
+    metadata.push_back({"standard error / luminance, median", picture.median_error()});
+  for (const std::string& path : sky.outputs)
+    write(path, sky, sky.format, metadata, [&](int x, int y) { return xyz_to_srgb(picture.xyz(x, y)); });
   metadata.push_back({"content", "standard error / luminance"});
-  PictureOutputs errors({error_file}, sky.camera.width, sky.camera.height, {.half = false}, metadata);
-  write(errors, sky, [&](int x, int y) {
+  PictureFormat full;
+  full.half = false;
+  write(error_file, sky, full, metadata, [&](int x, int y) {
     const double error = picture.error(x, y);
     return std::array{error, error, error};
   });

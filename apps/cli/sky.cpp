@@ -14,6 +14,9 @@
 #include "options.h"
 #include "picture_outputs.h"
 #include "progress.h"
+#ifdef AIRLIGHT_WITH_REFERENCE
+#include "reference_sky.h"
+#endif
 
 namespace airlight::cli {
 namespace {
@@ -24,7 +27,7 @@ struct SkyOptions {
   MachineOptions machine;
   std::vector<std::string> outputs;
   std::string projection = "equirectangular", size, exposure = "auto", tone = "filmic", wavelengths = "4";
-  double altitude = 2, azimuth = 0;
+  double altitude = 2, azimuth = 0, target_error = 0.01;
   std::optional<double> elevation, field_of_view;
   bool full_float = false, no_sun = false;
 };
@@ -134,11 +137,44 @@ bool render_cube(const Sky& sky, Camera camera, Direction sun, const PictureOpti
   return strip(0, camera.height, whole);
 }
 
+#ifdef AIRLIGHT_WITH_REFERENCE
+/// Random walks in place of a model: slow, without the sun's disc, with errors.
+int run_reference(const SkyOptions& options, const Camera& camera, const PictureFormat& format) {
+  if (camera.projection == Projection::cube)
+    throw InputError("--projection = cube: not with --model reference; expected equirectangular, fisheye, perspective");
+  const SunPlace sun = options.sun.resolve();
+  ReferenceSky sky;
+  sky.atmosphere = options.air.load();
+  sun.apply_distance(sky.atmosphere);
+  sky.camera = camera;
+  sky.sun = sun.direction();
+  sky.wavelengths = picture_wavelengths(options.wavelengths);
+  sky.target_error = options.target_error;
+  sky.outputs = options.outputs;
+  sky.format = format;
+  sky.metadata = {{"Software", version()},
+                  {"atmosphere", sky.atmosphere.name},
+                  {"model", "reference"},
+                  {"units", "cd m-2, linear sRGB primaries"},
+                  {"sun disc", "left out"},
+                  {"projection", options.projection},
+                  {"camera altitude [m]", camera.altitude},
+                  {"camera azimuth [degrees]", camera.azimuth / degree},
+                  {"camera elevation [degrees]", camera.elevation / degree},
+                  {"field of view [degrees]", camera.field_of_view / degree}};
+  sun.describe(sky.metadata);
+  return render_reference_sky(std::move(sky));
+}
+#endif
+
 int run_sky(const SkyOptions& options) {
   const auto started = std::chrono::steady_clock::now();
   // Everything that can be wrong with the words is found before any work is done or any file is touched.
   const Camera camera = make_camera(options);
   const PictureFormat format = picture_format(options.exposure, options.tone, options.full_float);
+#ifdef AIRLIGHT_WITH_REFERENCE
+  if (options.machine.model == "reference") return run_reference(options, camera, format);
+#endif
   const PictureOptions picture{!options.no_sun, picture_wavelengths(options.wavelengths)};
   const SunPlace sun = options.sun.resolve();
   options.machine.check_model();
@@ -225,6 +261,9 @@ void add_sky(CLI::App& app, Command& chosen) {
          "4 (the model's own), 8, 16, 40 (bins of 380 .. 780 nm), or first:last:step [nm], a multiple of 4 (default 4)")
       ->group(picture)
       ->type_name("LIST");
+  add_number(sky, "--target-error", options->target_error, {1e-4, 1, ""},
+             "--model reference: walk until the median pixel's standard error / luminance is below (default 0.01)")
+      ->group(picture);
   options->sun.add_to(sky);
   options->air.add_to(sky);
   options->machine.add_to(sky);

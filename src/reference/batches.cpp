@@ -56,7 +56,7 @@ double missing(std::span<const Moments> total, std::span<const double> known, do
 
 }  // namespace
 
-RandomLight run_batches(const Budget& budget, std::size_t orders, std::span<const double> known,
+RandomLight run_batches(const Budget& budget, int batch_walks, std::size_t orders, std::span<const double> known,
                         const MakeBatches& make) {
   check(budget);
   // A standard error from fewer batches would itself be uncertain by more than a tenth.
@@ -68,7 +68,7 @@ RandomLight run_batches(const Budget& budget, std::size_t orders, std::span<cons
   long done = 0;
   while (true) {
     double wave = double(done == 0 ? first_wave : std::min(done, largest_wave));
-    if (budget.walks > 0) wave = std::min(wave, std::ceil(double(budget.walks) / batch_size) - double(done));
+    if (budget.walks > 0) wave = std::min(wave, std::ceil(double(budget.walks) / batch_walks) - double(done));
     if (budget.target_error > 0 && done > 0)
       wave = std::min(wave, std::ceil(missing(total, known, double(done), budget.target_error)));
     if (budget.seconds > 0 && done > 0) {
@@ -94,7 +94,7 @@ RandomLight run_batches(const Budget& budget, std::size_t orders, std::span<cons
       }
     }
   }
-  RandomLight light{estimate(total, double(done)), {}, done * batch_size};
+  RandomLight light{estimate(total, double(done)), {}, done * batch_walks};
   for (std::size_t order = 0; order < orders; ++order)
     light.orders.push_back(estimate(std::span(by_order).subspan(order * width, width), double(done)));
   return light;

@@ -7,15 +7,14 @@
 
 namespace airlight::reference {
 
-inline constexpr int batch_size = 32;  ///< walks; inside a batch they may depend on each other (stratification)
-
 /// Makes the estimates of batches `first` to `last`: for each a row of orders by wavelengths, order slowest.
 using MakeBatches = std::function<void(long first, long last, std::span<double> rows)>;
 
 /// Runs batches on all threads until the budget is spent. Results do not depend on the number of threads, nor, for
 /// budgets without `seconds`, on the machine's speed.
+/// @param batch_walks  in each batch; they may depend on each other (stratification)
 /// @param known  light that is known without error and counts in `target_error`, one value for each wavelength
-RandomLight run_batches(const Budget& budget, std::size_t orders, std::span<const double> known,
+RandomLight run_batches(const Budget& budget, int batch_walks, std::size_t orders, std::span<const double> known,
                         const MakeBatches& make);
 
 }  // namespace airlight::reference

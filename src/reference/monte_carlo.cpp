@@ -77,15 +77,16 @@ RandomLight MonteCarlo::along(const Ray& ray, const Budget& budget, bool with_gr
   const Flight first = Walker(*rules_).first_flight(begin);
   const std::uint64_t stream = stream_of(ray, with_ground ? 1 : 2);
   RandomLight light =
-      run_batches(budget, settings_.kept_orders, first_order, [&](long from, long to, std::span<double> rows) {
-        Walker walker(*rules_);
-        for (long batch = from; batch < to; ++batch) {
-          Random random(settings_.seed, scramble(stream + std::uint64_t(batch)));
-          for (int i = 0; i < batch_size; ++i)
-            walker.walk(begin, first, (i + random()) / batch_size, 1.0 / batch_size, random,
-                        rows.subspan((batch - from) * row, row));
-        }
-      });
+      run_batches(budget, settings_.batch_walks, settings_.kept_orders, first_order,
+                  [&](long from, long to, std::span<double> rows) {
+                    Walker walker(*rules_);
+                    for (long batch = from; batch < to; ++batch) {
+                      Random random(settings_.seed, scramble(stream + std::uint64_t(batch)));
+                      for (int i = 0; i < settings_.batch_walks; ++i)
+                        walker.walk(begin, first, (i + random()) / settings_.batch_walks, 1.0 / settings_.batch_walks,
+                                    random, rows.subspan((batch - from) * row, row));
+                    }
+                  });
   for (std::size_t w = 0; w < width; ++w) {
     light.orders[0].mean[w] += first_order[w];
     light.total.mean[w] += first_order[w];
@@ -103,17 +104,17 @@ RandomLight MonteCarlo::sky_irradiance(const Ray& ray, const Budget& budget) con
   const std::size_t row = settings_.kept_orders * wavelengths_.size();
   const std::vector<double> nothing(wavelengths_.size(), 0.0);
   const std::uint64_t stream = stream_of(ray, 3);
-  RandomLight light =
-      run_batches(budget, settings_.kept_orders, nothing, [&](long from, long to, std::span<double> rows) {
+  RandomLight light = run_batches(
+      budget, settings_.batch_walks, settings_.kept_orders, nothing, [&](long from, long to, std::span<double> rows) {
         Walker walker(*rules_);
         for (long batch = from; batch < to; ++batch) {
           Random random(settings_.seed, scramble(stream + std::uint64_t(batch)));
-          for (int i = 0; i < batch_size; ++i) {
+          for (int i = 0; i < settings_.batch_walks; ++i) {
             // Directions by Lambert's law, so that radiance * pi is irradiance; azimuths of a batch are spread.
-            const double square = random(), azimuth = 2 * pi * (i + random()) / batch_size;
+            const double square = random(), azimuth = 2 * pi * (i + random()) / settings_.batch_walks;
             WalkStart walk = begin;
             walk.place.direction = around({0, 0, 1}, std::sqrt(1 - square), std::sqrt(square), azimuth);
-            walker.walk(walk, walker.first_flight(walk), random(), pi / batch_size, random,
+            walker.walk(walk, walker.first_flight(walk), random(), pi / settings_.batch_walks, random,
                         rows.subspan((batch - from) * row, row));
           }
         }

@@ -18,6 +18,7 @@ struct MonteCarloSettings {
   std::uint64_t seed = 1;
   int max_order = 0;                ///< of scatterings and reflections together; 0: all
   int kept_orders = 8;              ///< the last row of RandomLight::orders holds all higher ones
+  int batch_walks = 32;             ///< strata of the first place; standard errors are those of batches
   bool point_sun = false;           ///< all sunlight from the sun's centre, else from the disc
   bool random_first_order = false;  ///< else the first order is found by quadrature, which is slower and exact
   bool guided = true;               ///< walks prefer to go where a rough estimate sees light; false: they ignore it
@@ -26,10 +27,10 @@ struct MonteCarloSettings {
 
 /// When to stop: at the first that is reached; 0: no limit. At least one shall be given.
 struct Budget {
-  long walks = 0;                 ///< rounded up to whole batches
-  double target_error = 0;        ///< standard error over mean, at the worst wavelength
-  double seconds = 0;             ///< of wall clock
-  std::function<void()> between;  ///< called every second or so; what it throws ends the work
+  long walks = 0;                      ///< rounded up to whole batches
+  double target_error = 0;             ///< standard error over mean, at the worst wavelength
+  double seconds = 0;                  ///< of wall clock
+  std::function<void()> between = {};  ///< called every second or so; what it throws ends the work
 };
 
 /// One value for each wavelength.

@@ -19,7 +19,10 @@ RandomPicture::RandomPicture(PictureQuestion question)
 void RandomPicture::add_pass(const std::function<void(double)>& look) {
   // The first order is drawn too: a quadrature for each pixel would cost more than all walks.
   const MonteCarlo solver(question_.atmosphere, question_.wavelengths,
-                          {.seed = std::uint64_t(passes_) + 1, .kept_orders = 1, .random_first_order = true});
+                          {.seed = std::uint64_t(passes_) + 1,
+                           .kept_orders = 1,
+                           .batch_walks = walks_in_a_pass,
+                           .random_first_order = true});
   std::vector<Sums> added(sums_.size());
   std::mutex mutex;
   int rows_done = 0;

@@ -7,12 +7,14 @@
 #include <cstdio>
 #include <cstdlib>
 #include <random>
+#include <sstream>
 
 #include "airlight/error.h"
 #include "atmospheres.h"
 #include "reference/adding_doubling.h"
 #include "reference/air.h"
 #include "reference/layers.h"
+#include "reference/random_picture.h"
 #include "reference/walk.h"
 
 namespace airlight::reference {
@@ -412,6 +414,46 @@ TEST(MonteCarlo, flat_air_agrees_with_adding_and_doubling) {
   }
   std::printf("%zu z-scores against adding-doubling, mean %.2f\n", scores.all.size(), mean);
   EXPECT_LT(std::abs(mean), 3 / std::sqrt(double(scores.all.size())));
+}
+
+// Interrupted after one pass of three, stored, read again: the same picture to the last bit, with an honest error.
+TEST(RandomPicture, goes_on_where_it_was_interrupted) {
+  const auto question = [] {
+    PictureQuestion q{mixture(), 6, 4, {}, {450, 600}, {{0, 1, 0}, {0, 1, 0}}};
+    q.ray = [](int x, int y) -> std::optional<Ray> {
+      if (x == 5) return std::nullopt;
+      return Ray{.altitude = 2, .view = towards(15 + 20 * y, 30 * x), .sun = towards(30)};
+    };
+    return q;
+  };
+  const auto look = [](double) {};
+  RandomPicture whole(question()), begun(question()), rest(question()),
+      other({mixture(), 5, 4, {}, {450}, {{0, 1, 0}}});
+  for (int i = 0; i < 30; ++i) whole.add_pass(look);
+  for (int i = 0; i < 3; ++i) begun.add_pass(look);
+  EXPECT_THROW(begun.add_pass([](double) { throw WorkError("stop"); }), WorkError);
+  std::stringstream stored;
+  begun.save(stored);
+  const std::string text = stored.str();
+  EXPECT_TRUE(rest.load(stored));
+  for (int i = 3; i < 30; ++i) rest.add_pass(look);
+  const MonteCarlo solver(mixture(), question().wavelengths, {.seed = 99});
+  for (int y = 0; y < 4; ++y)
+    for (int x = 0; x < 6; ++x) {
+      EXPECT_EQ(whole.xyz(x, y), rest.xyz(x, y));
+      if (x == 5) {
+        EXPECT_EQ(whole.xyz(x, y)[1], 0);
+        continue;
+      }
+      const RandomLight light = solver.radiance(*question().ray(x, y), {.walks = 2048});
+      const double truth = light.total.mean[0] + light.total.mean[1];
+      EXPECT_NEAR(whole.xyz(x, y)[1], truth, truth * far * (whole.error(x, y) + 0.01));
+      EXPECT_GT(whole.error(x, y), 0);
+    }
+  EXPECT_LT(whole.median_error(), 0.1);
+  std::istringstream cut(text.substr(0, text.size() / 2)), size(text);
+  EXPECT_FALSE(rest.load(cut));
+  EXPECT_FALSE(other.load(size));
 }
 
 TEST(MonteCarlo, names_what_is_wrong) {
