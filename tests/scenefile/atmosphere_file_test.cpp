@@ -1,6 +1,7 @@
 #include "scenefile/atmosphere_file.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cmath>
 #include <filesystem>
@@ -174,7 +175,8 @@ TEST(AtmosphereFile, columns_of_a_base_follow_another_top) {
 class Folder : public testing::Test {
  protected:
   void SetUp() override {
-    path = std::filesystem::path(testing::TempDir()) / "airlight_scenefile_test";
+    // Tests run side by side: each process has a folder of its own.
+    path = std::filesystem::path(testing::TempDir()) / ("airlight_scenefile_test-" + std::to_string(getpid()));
     std::filesystem::create_directories(path);
   }
   void TearDown() override { std::filesystem::remove_all(path); }
