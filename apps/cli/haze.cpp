@@ -34,10 +34,12 @@ struct Surroundings {
 
 /// The file's point in the scene's frame [m], and back.
 Position to_scene(const std::array<double, 3>& p, UpAxis up, double unit) {
-  return up == UpAxis::z ? Position{p[0] * unit, p[1] * unit, p[2] * unit} : Position{p[0] * unit, -p[2] * unit, p[1] * unit};
+  return up == UpAxis::z ? Position{p[0] * unit, p[1] * unit, p[2] * unit}
+                         : Position{p[0] * unit, -p[2] * unit, p[1] * unit};
 }
 std::array<double, 3> from_scene(const Position& p, UpAxis up, double unit) {
-  return up == UpAxis::z ? std::array{p[0] / unit, p[1] / unit, p[2] / unit} : std::array{p[0] / unit, p[2] / unit, -p[1] / unit};
+  return up == UpAxis::z ? std::array{p[0] / unit, p[1] / unit, p[2] / unit}
+                         : std::array{p[0] / unit, p[2] / unit, -p[1] / unit};
 }
 
 /// Pixels of the picture; a cube's are those of one face.
@@ -54,8 +56,9 @@ void set_size(Camera& camera, const InputPicture& picture) {
 void check_kind(DepthKind kind, const Camera& camera) {
   const bool lens = camera.projection == Projection::perspective || camera.projection == Projection::cube;
   if (lens || kind == DepthKind::distance || kind == DepthKind::position) return;
-  throw InputError("--depth-kind: along the camera's axis depth ends at the side; fisheye and equirectangular pictures "
-                   "have distance or position");
+  throw InputError(
+      "--depth-kind: along the camera's axis depth ends at the side; fisheye and equirectangular pictures "
+      "have distance or position");
 }
 
 Surroundings plain_surroundings(const HazeOptions& options, const InputPicture& picture) {
@@ -126,7 +129,8 @@ Surroundings scene_surroundings(const HazeOptions& options, const InputPicture& 
     grid.east = placed.eye[0];
     grid.north = placed.eye[1];
     const SceneOptions usual;
-    s.shadows = air_shadows(shadow_map(land, to_sun, s.air.sun.angular_radius / sun.distance, grid), placed, usual.shadow_steps);
+    s.shadows = air_shadows(shadow_map(land, to_sun, s.air.sun.angular_radius / sun.distance, grid), placed,
+                            usual.shadow_steps);
   }
   return s;
 }
@@ -201,8 +205,8 @@ int run_haze(const HazeOptions& options) {
     files.finish();
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
     fmt::print(stderr, "{}: {} x {}, {}, {}, {} on {}, sun at azimuth {:.2f}, elevation {:.2f} degrees; {:.2f} s\n",
-               files.names(), picture.width, picture.height, describe_depth(distance), sky.atmosphere().name, sky.model(),
-               describe(sky.engine()), s.sun.azimuth, s.sun.elevation, seconds);
+               files.names(), picture.width, picture.height, describe_depth(distance), sky.atmosphere().name,
+               sky.model(), describe(sky.engine()), s.sun.azimuth, s.sun.elevation, seconds);
     for (const std::string& note : input.notes()) fmt::print(stderr, "{}: {}\n", picture.path, note);
     files.tell_notes();
   }

@@ -14,7 +14,8 @@ std::vector<const InputChannel*> find_channels(const InputPicture& picture, cons
                                                const std::string& option, const std::vector<std::string>& of_layer) {
   std::vector<const InputChannel*> found;
   if (text.find(',') == std::string::npos) {
-    for (const std::string& name : of_layer) found.push_back(&picture.channel(text.empty() ? name : text + '.' + name, option));
+    for (const std::string& name : of_layer)
+      found.push_back(&picture.channel(text.empty() ? name : text + '.' + name, option));
     return found;
   }
   for (std::size_t begin = 0; begin <= text.size();) {
@@ -57,7 +58,8 @@ HazeInput::HazeInput(const HazeOptions& options, DepthKind kind) : color_(open_p
   }
   for (const InputChannel* c : depths_)
     if (c->half)
-      notes_.push_back(fmt::format("channel '{}' is of 16-bit floats, whose steps are 1/2000 of the depth: 32-bit floats are better", c->name));
+      notes_.push_back(fmt::format(
+          "channel '{}' is of 16-bit floats, whose steps are 1/2000 of the depth: 32-bit floats are better", c->name));
   for (std::size_t i = 0; color_.chromaticities && i < srgb.size(); ++i) {
     if (std::abs((*color_.chromaticities)[i] - srgb[i]) < 0.002) continue;
     notes_.push_back("the file's chromaticities are not those of sRGB, as which its colours are taken");
@@ -80,7 +82,7 @@ std::vector<float> HazeInput::read_color(double scale) {
     for (std::size_t c = 0; c < 3; ++c) rgba[4 * i + c] = 0;
     if (!std::isfinite(rgba[4 * i + 3])) rgba[4 * i + 3] = 0;
   }
-  if (broken) notes_.push_back(fmt::format("{} pixels of the colour are NaN or infinite and were taken as black", broken));
+  if (broken) notes_.push_back(fmt::format("pixels whose colour is NaN or infinite, taken as black: {}", broken));
   return rgba;
 }
 
@@ -102,12 +104,13 @@ std::vector<float> HazeInput::read_distance(const DepthMeaning& meaning, const H
     const double metres = position ? distance(meaning, {planes[0][i], planes[1][i], planes[2][i]})
                                    : distance(meaning, double(planes[0][i]), line->cosine);
     if (std::isnan(metres) && !bad_is_sky)
-      throw InputError(fmt::format("'{}', channel '{}', {}: depth = {}: expected {} (or give --bad-depth sky)", depth_.path,
-                                   depths_[0]->name, pixel_name(i, depth_.width), planes[0][i], legal_depth(meaning.kind)));
+      throw InputError(fmt::format("'{}', channel '{}', {}: depth = {}: expected {} (or give --bad-depth sky)",
+                                   depth_.path, depths_[0]->name, pixel_name(i, depth_.width), planes[0][i],
+                                   legal_depth(meaning.kind)));
     bad += std::isnan(metres);
     if (!std::isnan(metres)) result[i] = float(metres);
   }
-  if (bad) notes_.push_back(fmt::format("{} pixels have no valid depth and were taken as sky", bad));
+  if (bad) notes_.push_back(fmt::format("pixels without valid depth, taken as sky: {}", bad));
   return result;
 }
 

@@ -73,8 +73,9 @@ void HazeOptions::change(Camera& camera, bool complete) const {
     const LensChoice& lens = lenses[projection.empty() ? 0 : choose("--projection", projection, names)];
     camera.projection = lens.projection;
     if (!field_of_view && lens.field_of_view == 0)
-      throw InputError(fmt::format("which lens? Give --field-of-view (of {}) [degrees, {:g} .. {:g}], --exr-camera or --scene",
-                                   lens.name, lens.legal_view.low, lens.legal_view.high));
+      throw InputError(
+          fmt::format("which lens? Give --field-of-view (of {}) [degrees, {:g} .. {:g}], --exr-camera or --scene",
+                      lens.name, lens.legal_view.low, lens.legal_view.high));
     camera.field_of_view = lens.field_of_view * degree;
     camera.elevation = lens.elevation * degree;
   }
@@ -113,7 +114,9 @@ void HazeOptions::add_to(CLI::App& app) {
                  "channel that holds depth (default Z); for positions three, or a layer: LAYER.X, .Y, .Z")
       ->group(picture)
       ->type_name("NAME");
-  app.add_option("--depth-file", depth_file, "where it is, if not beside the colour")->group(picture)->type_name("FILE");
+  app.add_option("--depth-file", depth_file, "where it is, if not beside the colour")
+      ->group(picture)
+      ->type_name("FILE");
   app.add_option("--depth-kind", depth_kind,
                  "z (along the camera's axis), distance, position, buffer (0 near, 1 far), reversed (1 near, 0 far), "
                  "logarithmic (default z)")
@@ -149,10 +152,11 @@ void HazeOptions::add_to(CLI::App& app) {
   add_number(app, "--camera-roll", roll, {-360, 360, "degrees"},
              "camera's turn about its axis, right side up (default 0)")
       ->group(lens);
-  add_number(app, "--altitude", altitude, {lowest_altitude, highest_altitude, "m"}, "camera above the ground (default 2)")
+  add_number(app, "--altitude", altitude, {lowest_altitude, highest_altitude, "m"},
+             "camera above the ground (default 2)")
       ->group(lens);
-  auto* const exr = app.add_flag("--exr-camera", exr_camera, "camera from the picture's worldToNDC or worldToCamera")
-                        ->group(lens);
+  auto* const exr =
+      app.add_flag("--exr-camera", exr_camera, "camera from the picture's worldToNDC or worldToCamera")->group(lens);
   for (const char* angle : {"--projection", "--camera-azimuth", "--camera-elevation", "--camera-roll"})
     exr->excludes(app.get_option(angle));
   app.add_option("--up-axis", up_axis, "of the file's world: y or z (default z)")->group(lens)->type_name("AXIS");

@@ -21,9 +21,9 @@ using Matrix44 = std::array<double, 16>;
 struct InputPicture {
   std::string path;
   int width = 0, height = 0;  ///< of the display window, which all parts share
-  std::vector<InputChannel> channels;
-  std::optional<Matrix44> world_to_camera, world_to_ndc;  ///< OpenEXR's standard attributes
-  std::optional<std::array<double, 8>> chromaticities;    ///< of red, green, blue and white: x and y
+  std::vector<InputChannel> channels = {};
+  std::optional<Matrix44> world_to_camera = {}, world_to_ndc = {};  ///< OpenEXR's standard attributes
+  std::optional<std::array<double, 8>> chromaticities = {};         ///< of red, green, blue and white: x and y
 
   /// @throws InputError naming the file, the option and the channels that there are.
   const InputChannel& channel(const std::string& name, const std::string& option) const;

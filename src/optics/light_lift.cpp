@@ -79,18 +79,23 @@ LightLift light_lift(const Atmosphere& atmosphere, const std::array<double, 4>& 
   for (Row& row : seen)
     for (double& v : row) v = scale > 0 ? v / scale : 0;
 
-  // Ratios r of one colour differ by multiples of n, which has none. Roughness r^T S r, the squared steps of r, is least where
-  // n^T S r = 0: a fourth linear equation beside the three of the colour.
+  // Ratios r of one colour differ by multiples of n, which has none. Bending r^T S r, the squared changes of slope, is least where
+  // n^T S r = 0: a fourth linear equation beside the three of the colour. (Steps in place of bends would take reddened light for
+  // whiter than it is: twice the error through haze for rock, snow and water.)
   Row n = perpendicular(seen), fourth{};
   const double length = std::sqrt(dot(n, n));
-  for (std::size_t k = 0; k < 3 && length > 0; ++k) {
-    const double step = (n[k + 1] - n[k]) / length * 50 / (wavelengths[k + 1] - wavelengths[k]);
-    fourth[k] -= step;
-    fourth[k + 1] += step;
+  for (std::size_t k = 0; k < 2 && length > 0; ++k) {
+    const double before = 50 / (wavelengths[k + 1] - wavelengths[k]),
+                 after = 50 / (wavelengths[k + 2] - wavelengths[k + 1]);
+    const std::array<double, 3> bend{before, -before - after, after};
+    double of_n = 0;
+    for (std::size_t i = 0; i < 3; ++i) of_n += bend[i] * n[k + i] / length;
+    for (std::size_t i = 0; i < 3; ++i) fourth[k + i] += of_n * bend[i];
   }
   std::array<Row, 4> inverse{};
   if (!invert({seen[0], seen[1], seen[2], fourth}, inverse))
-    throw InputError("'" + atmosphere.name + "': its sun is too dark at the wavelengths of real time to tell colours apart");
+    throw InputError("'" + atmosphere.name +
+                     "': its sun is too dark at the wavelengths of real time to tell colours apart");
   for (std::size_t k = 0; k < 4; ++k)
     for (std::size_t c = 0; c < 3; ++c) lift.to_spectrum[k][c] = sunlight[k] * inverse[k][c] / scale;
   return lift;

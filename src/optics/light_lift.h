@@ -9,8 +9,9 @@ namespace airlight {
 /// Linear sRGB [cd m^-2] to spectral radiance [W m^-2 sr^-1 nm^-1] at four wavelengths, and back.
 ///
 /// The way back is that of all our pictures (colour_weights()), so light that passes no air keeps its colour exactly. Of the spectra
-/// that have a given colour the lift takes the one whose ratio to sunlight changes least from wavelength to wavelength. It is linear:
-/// twice the light is twice the spectrum, and a colour outside the gamut, or a very saturated one, may be negative somewhere.
+/// that have a given colour the lift takes the one whose ratio to sunlight bends least over the wavelengths. It is linear: twice the
+/// light is twice the spectrum, and that of a colour outside the gamut, or of a very saturated one, may be negative somewhere.
+/// Rock, snow, water and grass seen through an air mass of clear air are off by 0.5 to 1.5 % of their brightest channel at most.
 struct LightLift {
   std::array<std::array<double, 3>, 4> to_spectrum{};
   std::array<std::array<double, 4>, 3> to_srgb{};

@@ -17,10 +17,11 @@ enum class DepthKind {
 
 struct DepthMeaning {
   DepthKind kind = DepthKind::z;
-  double near = 0, far = std::numeric_limits<double>::infinity();  ///< in the file's unit; nothing from `far` on: it is the sky
-  double constant = 0;  ///< of a logarithmic depth; 0: by near
-  double unit = 1;      ///< metres per unit of the file
-  std::array<double, 3> eye{};  ///< of positions, in the file's axes and unit
+  double near = 0,
+         far = std::numeric_limits<double>::infinity();  ///< in the file's unit; nothing from `far` on: it is the sky
+  double constant = 0;                                   ///< of a logarithmic depth; 0: by near
+  double unit = 1;                                       ///< metres per unit of the file
+  std::array<double, 3> eye{};                           ///< of positions, in the file's axes and unit
 };
 
 /// Distance [m] from the eye; infinite: the sky. NaN for what is no depth of this kind: NaN, negative, outside 0 .. 1.

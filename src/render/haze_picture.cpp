@@ -23,7 +23,8 @@ void in_parallel(std::size_t count, const Work& work) {
 /// The Sun's disc before the air, drawn into the sky.
 class Disc {
  public:
-  Disc(const Sky& sky, const HazeView& view, const Direction& sun, const std::array<double, 4>& wavelengths) : sun_(sun) {
+  Disc(const Sky& sky, const HazeView& view, const Direction& sun, const std::array<double, 4>& wavelengths)
+      : sun_(sun) {
     const Sun& star = sky.atmosphere().sun;
     for (std::size_t k = 0; k < 4; ++k) {
       limb_[k] = star.limb_darkening.at(wavelengths[k]);
@@ -66,7 +67,11 @@ struct HazePicture::Impl {
   std::optional<Disc> disc;
 
   Impl(const Sky& s, HazeView v, const HazeSettings& how)
-      : sky(s), view(std::move(v)), settings(how), wavelengths(s.realtime_wavelengths()), lift(light_lift(s.atmosphere(), wavelengths)) {
+      : sky(s),
+        view(std::move(v)),
+        settings(how),
+        wavelengths(s.realtime_wavelengths()),
+        lift(light_lift(s.atmosphere(), wavelengths)) {
     if (settings.sun_disc && settings.fill_sky) disc.emplace(sky, view, settings.sun, wavelengths);
   }
 
@@ -118,7 +123,8 @@ struct HazePicture::Impl {
     for (const Question& q : questions) sights.push_back(q.sight);
     std::vector<double> inscatter(4 * sights.size()), transmittance(inscatter.size());
     sky.haze(settings.altitude, settings.sun, sights, wavelengths, settings.shadows, inscatter, transmittance);
-    in_parallel(questions.size(), [&](std::size_t i) { put(questions[i], &inscatter[4 * i], &transmittance[4 * i], rgba); });
+    in_parallel(questions.size(),
+                [&](std::size_t i) { put(questions[i], &inscatter[4 * i], &transmittance[4 * i], rgba); });
   }
 };
 

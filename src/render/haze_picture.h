@@ -10,10 +10,10 @@
 namespace airlight {
 
 struct HazeSettings {
-  double altitude = 2;           ///< of the eye [m]
-  Direction sun{0, 0, 1};        ///< unit, in the eye's frame
-  bool fill_sky = true;          ///< else pixels of the sky stay as they are
-  bool sun_disc = true;          ///< in a filled sky
+  double altitude = 2;                  ///< of the eye [m]
+  Direction sun{0, 0, 1};               ///< unit, in the eye's frame
+  bool fill_sky = true;                 ///< else pixels of the sky stay as they are
+  bool sun_disc = true;                 ///< in a filled sky
   const AirShadows* shadows = nullptr;  ///< of land, in the eye's frame; must outlive the haze
 };
 

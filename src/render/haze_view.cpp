@@ -46,8 +46,7 @@ std::optional<Lens> lens_of_camera(const Matrix44& m, const Camera& camera) {
   const Vector x = column(m, 0), y = column(m, 1), z = column(m, 2);
   const double volume = dot(cross(x, y), z);
   if (!std::isfinite(volume) || !(std::abs(volume) > 1e-12 * std::sqrt(dot(x, x) * dot(y, y) * dot(z, z)))) return {};
-  const Vector eye =
-      times(plus(plus(times(cross(y, z), m[12]), cross(z, x), m[13]), cross(x, y), m[14]), -1 / volume);
+  const Vector eye = times(plus(plus(times(cross(y, z), m[12]), cross(z, x), m[13]), cross(x, y), m[14]), -1 / volume);
   // World is right-handed: a matrix that mirrors leads to a left-handed camera space.
   const Vector forward = times(unit(z), volume < 0 ? 1 : -1);
   const double half_width = std::tan(camera.field_of_view / 2), half_height = half_width * camera.height / camera.width;

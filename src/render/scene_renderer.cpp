@@ -9,6 +9,7 @@
 #include "airlight/error.h"
 #include "optics/colour.h"
 #include "optics/number_text.h"
+#include "render/air_shadows.h"
 #include "scene/sky_view.h"
 #include "sky/camera.h"
 
@@ -23,28 +24,6 @@ Direction unit(const Direction& d) {
   return {d[0] / n, d[1] / n, d[2] / n};
 }
 Direction wide(const std::array<float, 3>& a) { return {double(a[0]), double(a[1]), double(a[2])}; }
-
-/// The scene's shadow map as the air's kernels read it, in the eye's frame.
-AirShadows air_shadows(const ShadowMap& map, const PlacedCamera& camera, int steps) {
-  AirShadows shadows;
-  shadows.width = shadows.height = map.cells;
-  shadows.steps = steps;
-  shadows.highest = *std::ranges::max_element(map.lit);
-  std::vector<float> edges;
-  edges.reserve(2 * map.lit.size());
-  for (std::size_t i = 0; i < map.lit.size(); ++i) edges.insert(edges.end(), {map.dark[i], map.lit[i]});
-  shadows.edges = std::make_shared<const std::vector<float>>(std::move(edges));
-  const double size = map.spacing * map.cells;
-  const std::array<double, 2> origin = map.texel(camera.eye);
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Direction axis = camera.to_scene({double(i == 0), double(i == 1), double(i == 2)});
-    shadows.across[i] = (axis[0] * map.along[0] + axis[1] * map.along[1]) / size;
-    shadows.along[i] = (axis[0] * map.across[0] + axis[1] * map.across[1]) / size;
-  }
-  shadows.across[3] = (origin[0] + 0.5) / map.cells;
-  shadows.along[3] = (origin[1] + 0.5) / map.cells;
-  return shadows;
-}
 
 int checked_samples(int samples) {
   const int side = int(std::lround(std::sqrt(samples)));
@@ -174,9 +153,7 @@ struct SceneRenderer::Impl {
       const std::optional<Direction> seen = look((x + dx) / width, (y + dy) / camera.height);
       s.inside[i] = seen.has_value();
       s.sights[i].view = seen.value_or(Direction{0, 0, 1});
-      // A low-discrepancy pattern over the picture (Roberts 2018, sequence R2) and the samples of a pixel (golden ratio).
-      const double place = 0.5 + 0.7548776662466927 * x + 0.5698402909980532 * y + 0.6180339887498949 * double(sample);
-      s.sights[i].offset = place - std::floor(place);
+      s.sights[i].offset = shadow_offset(x, y, double(sample));
     });
     see(s);
     return s;

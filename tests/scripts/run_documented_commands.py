@@ -4,7 +4,7 @@
 usage: run_documented_commands.py PROGRAM_FOLDER REPOSITORY DOCUMENT...
 
 Each document's ```sh blocks run in order in one scratch folder, with PROGRAM_FOLDER first in PATH and the repository's
-scenes/ and data/ beside. Every other test and CI covers what is skipped: setting up, building and the script/ commands.
+scenes/, data/ and examples/ beside. Every other test and CI covers what is skipped: setting up, building and the script/ commands.
 A document that is missing, or shows no command, fails: then this test would test nothing.
 """
 import os
@@ -31,7 +31,7 @@ def run_commands(document, program_folder, repository):
     scripts = [script for script in scripts if script.strip()]
     environment = dict(os.environ, PATH=f"{program_folder}:{os.environ['PATH']}")
     with tempfile.TemporaryDirectory() as scratch:
-        for folder in ("scenes", "data"):
+        for folder in ("scenes", "data", "examples"):
             (Path(scratch) / folder).symlink_to(repository / folder)
         for script in scripts:
             print(f"--- {document.name}\n{script}", flush=True)
@@ -45,7 +45,7 @@ def flat(text):
 
 def uncompiled(document, repository):
     """Snippets of the document that are no part of a file under examples/; those files are built by tests."""
-    sources = [flat(file.read_text()) for file in (repository / "examples").rglob("*") if file.is_file()]
+    sources = [flat(file.read_text(errors="replace")) for file in (repository / "examples").rglob("*") if file.is_file()]
     shown = blocks(document.read_text(), "cpp") + blocks(document.read_text(), "cmake")
     return [snippet for snippet in shown if not any(flat(snippet) in source for source in sources)]
 
