@@ -58,6 +58,14 @@ SkyViewMap sky_view_map(const Land& land, double east, double north, double half
     levels.push_back(sample(land, east, north, reach, std::max(2, int(2 * reach / s))));
   }
   SkyViewMap map{levels[0].first_east, levels[0].first_north, spacing, cells, {}};
+  // A plain hides nothing of the sky: no need to look around from each of its places.
+  const double first = levels[0].altitude[0];
+  if (std::ranges::all_of(levels, [&](const Level& level) {
+        return std::ranges::all_of(level.altitude, [&](double altitude) { return altitude == first; });
+      })) {
+    map.factor.assign(levels[0].altitude.size(), 1);
+    return map;
+  }
   map.factor.resize(levels[0].altitude.size());
 
   tbb::parallel_for(0, cells, [&](int j) {

@@ -15,7 +15,7 @@
 namespace airlight {
 namespace {
 
-// A bare planet: a frame takes a second of processor time.
+// A bare planet: a frame takes little time.
 constexpr char scene[] = R"(
 place = "46.6,7.9"
 [camera]
@@ -44,23 +44,23 @@ TEST(Sequence, resumes_after_a_kill_to_identical_files) {
   using Clock = std::chrono::steady_clock;
   const Folder whole, killed;
   for (const Folder* folder : {&whole, &killed}) write_file(*folder / "scene.toml", scene);
-  const std::vector<std::string> words = sequence("4", {"f_%04d.exr", "g_%d.png"});
+  const std::vector<std::string> words = sequence("3", {"f_%04d.exr", "g_%d.png"});
   const auto started = Clock::now();
   const Outcome outcome = run(whole, words);
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   const std::chrono::duration<double> lasted = Clock::now() - started;
 
   std::random_device random;
-  for (int kill = 0; kill < 2; ++kill) {
-    const double moment = std::uniform_real_distribution(0.0, 0.8 * lasted.count())(random);
-    SCOPED_TRACE("killed after " + std::to_string(moment) + " s");
+  const double moment = std::uniform_real_distribution(0.0, lasted.count())(random);
+  SCOPED_TRACE("killed after " + std::to_string(moment) + " s");
+  {
     Program program(killed, words);
     std::this_thread::sleep_for(std::chrono::duration<double>(moment));
     program.signal(SIGKILL);
     program.wait();
   }
   ASSERT_EQ(run(killed, words).code, 0);
-  for (int frame = 0; frame < 4; ++frame) {
+  for (int frame = 0; frame < 3; ++frame) {
     for (const std::string& name : {"f_000" + std::to_string(frame) + ".exr", "g_" + std::to_string(frame) + ".png"}) {
       const std::string bytes = read_file(whole / name);
       EXPECT_GT(bytes.size(), 500u) << name;
@@ -69,7 +69,7 @@ TEST(Sequence, resumes_after_a_kill_to_identical_files) {
   }
   EXPECT_FALSE(read_file(whole / "f_0000.exr") == read_file(whole / "f_0001.exr"));
   // Nothing is left to do, and it says so.
-  EXPECT_NE(run(killed, words).err.find("0 made, 4 there already"), std::string::npos);
+  EXPECT_NE(run(killed, words).err.find("0 made, 3 there already"), std::string::npos);
 }
 
 TEST(Sequence, a_part_made_elsewhere_is_the_same_and_another_scene_is_not_taken_for_it) {
