@@ -13,6 +13,7 @@ void add_sky(CLI::App& app, Command& chosen);
 void add_render(CLI::App& app, Command& chosen);
 void add_haze(CLI::App& app, Command& chosen);
 void add_sequence(CLI::App& app, Command& chosen);
+void add_tables(CLI::App& app, Command& chosen);
 void add_probe(CLI::App& app, Command& chosen);
 void add_eval(CLI::App& app, Command& chosen);
 void add_models(CLI::App& app, Command& chosen);

@@ -25,6 +25,7 @@ int run(int argc, char** argv) {
   add_render(app, chosen);
   add_haze(app, chosen);
   add_sequence(app, chosen);
+  add_tables(app, chosen);
   add_probe(app, chosen);
   add_eval(app, chosen);
   add_models(app, chosen);
