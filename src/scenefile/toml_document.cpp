@@ -1,6 +1,7 @@
 #include "scenefile/toml_document.h"
 
 #include <algorithm>
+#include <cctype>
 #include <optional>
 
 #include "airlight/error.h"
@@ -52,6 +53,10 @@ void refuse_unbearable(std::string_view text, const std::string& file) {
   for (std::size_t i = text.starts_with(byte_order_mark) ? byte_order_mark.size() : 0; i < text.size();) {
     const char c = text[i];
     if (c == '"' || c == '\'') {
+      // To the parser a quote right after a bare word begins no string, and it would look at what follows outside quotes.
+      if (i > 0 && (std::isalnum(static_cast<unsigned char>(text[i - 1])) ||
+                    std::string_view("_-+\"'").find(text[i - 1]) != std::string_view::npos))
+        fail(i, "expected a blank, '=', ',', '[' or '.' before a quote");
       const std::size_t end = skip_string(text, i);
       if (text.substr(i, 3) == R"(""")" && has_non_ascii(text.substr(i, end - i))) {
         fail(i, "expected ASCII in a string of several lines");
