@@ -55,7 +55,9 @@ FN Vec4 gathered_to(IN(Air) air, IN(Dome) froxels, Table3 class0, Table3 class1,
 FN_SHARED Vec4 shadowed_light(IN(Air) air, IN(Dome) froxels, IN(Shadow) shadow, IN(Observer) observer, Table3 class0, Table3 class1, Table3 class2,
                               Table3 class3, Table2 phases, Table2 shadow_map, Vec3 view, Float offset, Vec4 at, Vec2 uv, Float reach,
                               Float whole, OUT(Vec4) shadowed) {
-  Float x = sqrt(clamp(0.5 * (1.0 - at.w), 0.0, 1.0));
+  // Not from at.w, the cosine: floats cancel in the aureole.
+  Vec3 sun = Vec3(observer.sun.x, observer.sun.y, observer.sun.z);
+  Float x = sqrt(clamp(0.5 * one_minus_cos(view, sun), 0.0, 1.0));
   Vec4 phase0 = lookup_row(phases, x, 0);
   Vec4 phase1 = phase0;
   Vec4 phase2 = phase0;
