@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstdint>
 
-#define AIRLIGHT_INLINE inline __attribute__((always_inline))
+#include "scene/every_processor.h"
 
 namespace airlight {
 

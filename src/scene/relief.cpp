@@ -3,15 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scene/every_processor.h"
 #include "scene/noise.h"
-
-// Compiled for several instruction sets, chosen when the program starts; contraction is off (CMakeLists.txt), so that all give
-// the same bits.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
-#define AIRLIGHT_ALL_PROCESSORS __attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
-#else
-#define AIRLIGHT_ALL_PROCESSORS
-#endif
 
 namespace airlight {
 namespace {
@@ -67,7 +60,7 @@ float resolved(double wavelength, double cell) {
   return cell > 0 ? float(std::clamp(wavelength / (2 * cell) - 1, 0.0, 1.0)) : 1.0f;
 }
 
-AIRLIGHT_ALL_PROCESSORS
+AIRLIGHT_EVERY_PROCESSOR
 void relief_lanes(const ReliefSettings& settings, double cell, float* x, float* y, float* height) {
   const std::uint32_t seed = settings.seed * 0x68E31DA4u;
   float slope_x[lanes], slope_y[lanes], on_ridge[lanes];

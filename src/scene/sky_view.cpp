@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "airlight/error.h"
+#include "scene/every_processor.h"
 
 namespace airlight {
 namespace {
@@ -18,17 +19,47 @@ constexpr int directions = 16;
 struct Level {
   double first_east, first_north, spacing;
   int cells;
-  std::vector<double> altitude;
-
-  double at(double east, double north) const {
-    const double x = std::clamp((east - first_east) / spacing, 0.0, cells - 1.001);
-    const double y = std::clamp((north - first_north) / spacing, 0.0, cells - 1.001);
-    const int i = int(x), j = int(y);
-    const double fx = x - i, fy = y - j;
-    const double* a = &altitude[std::size_t(j) * std::size_t(cells) + std::size_t(i)];
-    return (a[0] * (1 - fx) + a[1] * fx) * (1 - fy) + (a[cells] * (1 - fx) + a[cells + 1] * fx) * fy;
-  }
+  std::vector<float> altitude;
 };
+
+/// Where a row of the map looks in a level: the same fraction between two of its rows; in cells of the level, `first` for the map's
+/// first cell and `step` from one to the next.
+struct Look {
+  const float *lower, *upper;
+  float between, first, step, last;
+};
+
+AIRLIGHT_INLINE float seen(const Look& look, int i) {
+  const float x = std::min(std::max(look.first + float(i) * look.step, 0.0f), look.last);
+  const int cell = int(x);
+  const float fx = x - float(cell);
+  const float low = look.lower[cell] + (look.lower[cell + 1] - look.lower[cell]) * fx;
+  const float high = look.upper[cell] + (look.upper[cell + 1] - look.upper[cell]) * fx;
+  return low + (high - low) * look.between;
+}
+
+/// Altitudes of a row, some way off.
+AIRLIGHT_EVERY_PROCESSOR
+void altitudes(const Look& look, int count, float* out) {
+  for (int i = 0; i < count; ++i) out[i] = seen(look, i);
+}
+/// Lifts the tangent of each place's horizon to what stands there.
+AIRLIGHT_EVERY_PROCESSOR
+void raise_horizon(const Look& look, int count, const float* here, float sunk, float per_metre, float* horizon) {
+  for (int i = 0; i < count; ++i) horizon[i] = std::max(horizon[i], (seen(look, i) - here[i] - sunk) * per_metre);
+}
+
+Look look_in(const Level& level, double east, double north, double spacing) {
+  const double y = std::clamp((north - level.first_north) / level.spacing, 0.0, level.cells - 1.001);
+  const int j = int(y);
+  const float* lower = &level.altitude[std::size_t(j) * std::size_t(level.cells)];
+  return {lower,
+          lower + level.cells,
+          float(y - j),
+          float((east - level.first_east) / level.spacing),
+          float(spacing / level.spacing),
+          float(level.cells) - 1.001f};
+}
 
 Level sample(const Land& land, double east, double north, double half_width, int cells) {
   Level level{0, 0, 2 * half_width / cells, cells, {}};
@@ -40,8 +71,9 @@ Level sample(const Land& land, double east, double north, double half_width, int
     for (int i = 0; i < cells; ++i) {
       places.push_back({level.first_east + i * level.spacing, level.first_north + j * level.spacing});
     }
-    land.altitudes(places, level.spacing,
-                   std::span(level.altitude).subspan(std::size_t(j) * std::size_t(cells), std::size_t(cells)));
+    std::vector<double> altitudes(places.size());
+    land.altitudes(places, level.spacing, altitudes);
+    std::ranges::copy(altitudes, &level.altitude[std::size_t(j) * std::size_t(cells)]);
   });
   return level;
 }
@@ -59,45 +91,55 @@ SkyViewMap sky_view_map(const Land& land, double east, double north, double half
   }
   SkyViewMap map{levels[0].first_east, levels[0].first_north, spacing, cells, {}};
   // A plain hides nothing of the sky: no need to look around from each of its places.
-  const double first = levels[0].altitude[0];
+  const float first = levels[0].altitude[0];
   if (std::ranges::all_of(levels, [&](const Level& level) {
-        return std::ranges::all_of(level.altitude, [&](double altitude) { return altitude == first; });
+        return std::ranges::all_of(level.altitude, [&](float altitude) { return altitude == first; });
       })) {
     map.factor.assign(levels[0].altitude.size(), 1);
     return map;
   }
   map.factor.resize(levels[0].altitude.size());
 
+  const double diameter = 2 * land.frame().radius();
   tbb::parallel_for(0, cells, [&](int j) {
-    for (int i = 0; i < cells; ++i) {
-      const double x = map.first_east + i * spacing, y = map.first_north + j * spacing;
-      const double here = levels[0].altitude[std::size_t(j) * std::size_t(cells) + std::size_t(i)];
-      const double gx = (levels[0].at(x + spacing, y) - levels[0].at(x - spacing, y)) / (2 * spacing);
-      const double gy = (levels[0].at(x, y + spacing) - levels[0].at(x, y - spacing)) / (2 * spacing);
-      const double tangent = std::hypot(gx, gy), cosine = 1 / std::sqrt(1 + tangent * tangent), sine = tangent * cosine;
-      const double aspect = std::atan2(-gx, -gy);  // azimuth that the slope faces
-      double sum = 0;
-      for (int k = 0; k < directions; ++k) {
-        const double azimuth = 2 * pi * k / directions, dx = std::sin(azimuth), dy = std::cos(azimuth);
-        // The slope itself hides what lies behind it: tan(horizon elevation) is at least its own rise that way.
-        double horizon = std::max(0.0, gx * dx + gy * dy);
-        for (std::size_t l = 0; l < levels.size(); ++l) {
-          const double s = levels[l].spacing;
-          for (const double steps : {1.0, 1.5, 2.0, 2.5, 3.0, 3.5, 4.0, 5.0, 6.0, 7.0, 8.0, 10.0, 12.0}) {
-            // Each level looks from 3 to 6 of its own cells away; the first also nearer, the last also farther.
-            if ((l > 0 && steps <= 3) || (l + 1 < levels.size() && steps > 6)) continue;
-            const double d = steps * s;
-            const double rise = levels[l].at(x + d * dx, y + d * dy) - here - d * d / (2 * land.frame().radius());
-            horizon = std::max(horizon, rise / d);
-          }
-        }
-        const double zenith = 0.5 * pi - std::atan(horizon);  // of the horizon, from the vertical
-        const double s = std::sin(zenith);
-        // Dozier & Frew 1990: the integral over zenith angles of cosine of incidence times solid angle.
-        sum += cosine * s * s + sine * std::cos(azimuth - aspect) * (zenith - s * std::cos(zenith));
+    const auto count = std::size_t(cells);
+    const double x = map.first_east, y = map.first_north + j * spacing;
+    const float* here = &levels[0].altitude[std::size_t(j) * count];
+    std::vector<float> at_west(count), at_east(count), at_south(count), at_north(count), horizon(count), sum(count);
+    altitudes(look_in(levels[0], x - spacing, y, spacing), cells, at_west.data());
+    altitudes(look_in(levels[0], x + spacing, y, spacing), cells, at_east.data());
+    altitudes(look_in(levels[0], x, y - spacing, spacing), cells, at_south.data());
+    altitudes(look_in(levels[0], x, y + spacing, spacing), cells, at_north.data());
+    const auto gradient = [&](const std::vector<float>& from, const std::vector<float>& to, std::size_t i) {
+      return (to[i] - from[i]) * float(0.5 / spacing);
+    };
+    for (int k = 0; k < directions; ++k) {
+      const double azimuth = 2 * pi * k / directions, dx = std::sin(azimuth), dy = std::cos(azimuth);
+      // The slope itself hides what lies behind it: tan(horizon elevation) is at least its own rise that way.
+      for (std::size_t i = 0; i < count; ++i) {
+        const float rise = gradient(at_west, at_east, i) * float(dx) + gradient(at_south, at_north, i) * float(dy);
+        horizon[i] = std::max(0.0f, rise);
       }
-      map.factor[std::size_t(j) * std::size_t(cells) + std::size_t(i)] = float(std::clamp(sum / directions, 0.0, 1.0));
+      for (std::size_t l = 0; l < levels.size(); ++l) {
+        for (const double steps : {1.0, 1.5, 2.0, 2.5, 3.0, 3.5, 4.0, 5.0, 6.0, 7.0, 8.0, 10.0, 12.0}) {
+          // Each level looks from 3 to 6 of its own cells away; the first also nearer, the last also farther.
+          if ((l > 0 && steps <= 3) || (l + 1 < levels.size() && steps > 6)) continue;
+          const double d = steps * levels[l].spacing;
+          raise_horizon(look_in(levels[l], x + d * dx, y + d * dy, spacing), cells, here, float(d * d / diameter),
+                        float(1 / d), horizon.data());
+        }
+      }
+      for (std::size_t i = 0; i < count; ++i) {
+        // The zenith angle of the horizon, its sine and its cosine.
+        const float h = horizon[i], s = 1 / std::sqrt(1 + h * h), c = h * s, zenith = std::atan2(1.0f, h);
+        const float gx = gradient(at_west, at_east, i), gy = gradient(at_south, at_north, i);
+        const float cosine = 1 / std::sqrt(1 + gx * gx + gy * gy);
+        // Dozier & Frew 1990: the integral over zenith angles of cosine of incidence times solid angle. The slope faces (-gx, -gy).
+        sum[i] += cosine * (s * s - (gx * float(dx) + gy * float(dy)) * (zenith - s * c));
+      }
     }
+    for (std::size_t i = 0; i < count; ++i)
+      map.factor[std::size_t(j) * count + i] = std::clamp(sum[i] / directions, 0.0f, 1.0f);
   });
   return map;
 }

@@ -286,7 +286,7 @@ void in_packets(std::size_t count, const Work& work) {
   });
 }
 
-constexpr double draft_pixels = 6;
+constexpr double draft_pixels = 12;
 
 /// Foreshortening of a tree's leaves, from the number of rays that meet them; those beside a leaf that is met count as hardly
 /// seen, since the draft's ridges are not quite the final ones.

@@ -18,7 +18,7 @@ struct LevelOfDetail {
   double pixels = 1.5;                   ///< wanted length of a triangle's side in pixels
   Direction axis{0, 1, 0};               ///< middle of what the eye sees
   double half_angle = std::numbers::pi;  ///< cone around the axis that holds all that it sees [rad]; pi: all round
-  double unseen_pixels = 12;             ///< length of a side outside the cone, where only shadows fall from [pixels]
+  double unseen_pixels = 48;             ///< length of a side outside the cone, where only shadows fall from [pixels]
   std::size_t most_cells = 12'000'000;   ///< two triangles each; where they do not suffice, `pixels` grows
 };
 
