@@ -1,7 +1,6 @@
 #include "scenefile/toml_document.h"
 
 #include <algorithm>
-#include <cctype>
 #include <optional>
 
 #include "airlight/error.h"
@@ -50,13 +49,13 @@ void refuse_unbearable(std::string_view text, const std::string& file) {
     throw InputError(at_line(file, std::size_t(line)) + what);
   };
   const std::string_view byte_order_mark = "\xEF\xBB\xBF";
-  for (std::size_t i = text.starts_with(byte_order_mark) ? byte_order_mark.size() : 0; i < text.size();) {
+  const std::size_t start = text.starts_with(byte_order_mark) ? byte_order_mark.size() : 0;
+  for (std::size_t i = start; i < text.size();) {
     const char c = text[i];
     if (c == '"' || c == '\'') {
-      // To the parser a quote right after a bare word begins no string, and it would look at what follows outside quotes.
-      if (i > 0 && (std::isalnum(static_cast<unsigned char>(text[i - 1])) ||
-                    std::string_view("_-+\"'").find(text[i - 1]) != std::string_view::npos))
-        fail(i, "expected a blank, '=', ',', '[' or '.' before a quote");
+      // Where no string may begin, the parser would look at what follows as if it stood outside quotes.
+      if (i > start && std::string_view(" \t\r\n=,.[{").find(text[i - 1]) == std::string_view::npos)
+        fail(i, "expected a blank, '=', ',', '.', '[' or '{' before a quote");
       const std::size_t end = skip_string(text, i);
       if (text.substr(i, 3) == R"(""")" && has_non_ascii(text.substr(i, end - i))) {
         fail(i, "expected ASCII in a string of several lines");
