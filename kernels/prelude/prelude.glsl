@@ -76,6 +76,20 @@ vec4 lookup(sampler2D t, vec2 uv) {
   vec4 b = mix(texelFetch(t, at + ivec2(0, 1), 0), texelFetch(t, at + ivec2(1, 1), 0), x - i);
   return mix(a, b, y - j);
 }
+// The whole part of a division rounds, so x - n floor(x / n) can be exactly n, or just below 0: wrapped again.
+float wrapped(float x, float n) {
+  float r = clamp(x - n * floor(x * (1.0 / n)), 0.0, n);
+  return r < n ? r : 0.0;
+}
+vec4 lookup_repeat(sampler2D t, vec2 uv) {
+  vec2 size = vec2(textureSize(t, 0));
+  float x = wrapped(uv.x * size.x - 0.5, size.x), y = wrapped(uv.y * size.y - 0.5, size.y);
+  int i = int(x), j = int(y);
+  int right = i < int(size.x) - 1 ? i + 1 : 0, below = j < int(size.y) - 1 ? j + 1 : 0;
+  vec4 a = mix(texelFetch(t, ivec2(i, j), 0), texelFetch(t, ivec2(right, j), 0), x - float(i));
+  vec4 b = mix(texelFetch(t, ivec2(i, below), 0), texelFetch(t, ivec2(right, below), 0), x - float(i));
+  return mix(a, b, y - float(j));
+}
 vec4 lookup(sampler3D t, vec3 uvw) {
   vec3 size = vec3(textureSize(t, 0));
   float x = clamp(uvw.x * size.x - 0.5, 0.0, size.x - 1.0), y = clamp(uvw.y * size.y - 0.5, 0.0, size.y - 1.0);

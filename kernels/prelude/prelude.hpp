@@ -317,6 +317,22 @@ FN Vec4 lookup(const Table2& t, Vec2 uv) {
   return bilinear(t.texels, t.width, t.height, clamp(uv.x * double(t.width) - 0.5, 0.0, double(t.width - 1)),
                   clamp(uv.y * double(t.height) - 0.5, 0.0, double(t.height - 1)));
 }
+// The whole part of a division rounds, so x - n floor(x / n) can be exactly n, or just below 0: wrapped again.
+FN Float wrapped(Float x, double n) {
+  const Float r = clamp(x - n * floor(x * (1.0 / n)), 0.0, n);
+  return select(r < n, r, 0.0);
+}
+/// Bilinear, texel centres at (i + 0.5) / size, the table repeating without end.
+FN Vec4 lookup_repeat(const Table2& t, Vec2 uv) {
+  const double width = t.width, height = t.height;
+  const Float x = wrapped(uv.x * width - 0.5, width), y = wrapped(uv.y * height - 0.5, height);
+  const Float i = floor(x), j = floor(y);
+  const Float right = select(i < width - 1.0, i + 1.0, 0.0), below = select(j < height - 1.0, j + 1.0, 0.0);
+  const auto across = Texel::weights(x - i);
+  const auto at = [&](Float column, Float row) { return Texel::load(t.texels, Texel::address((row * width + column).v)); };
+  return Texel::mixed(Texel::mixed(at(i, j), at(right, j), across), Texel::mixed(at(i, below), at(right, below), across),
+                      Texel::weights(y - j)).channels();
+}
 /// Trilinear, texel centres at (i + 0.5) / size, clamped to the edge. All sizes at least 2.
 FN Vec4 lookup(const Table3& t, Vec3 uvw) {
   const Float x = clamp(uvw.x * double(t.width) - 0.5, 0.0, double(t.width - 1));

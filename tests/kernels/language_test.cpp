@@ -259,6 +259,46 @@ TEST_P(Language, lookup_is_bilinear_between_texel_centres) {
   }
 }
 
+TEST_P(Language, lookup_repeat_goes_on_where_the_table_began) {
+  AIRLIGHT_ENGINE_OR_SKIP(find_language_engine, GetParam());
+  Random random;
+  for (Shape shape : odd_shapes) {
+    const Grid grid = random_grid(shape, random);
+    Grid places = random_places(1, 1, 1, random);
+    const double edges[] = {0, 1, -1, 0.5 / shape.width, -1e-9, 1 - 0x1p-24, 4.25, -3.25};
+    for (std::size_t i = 0; i < std::size(edges);
+         ++i) {  // in place of the strange ones: of 3e38 nothing is left to repeat
+      places.rgba[4 * i] = edges[i];
+      places.rgba[4 * (i + 9) + 1] = edges[i];
+    }
+    for (double& v : places.rgba)
+      if (!(std::fabs(v) < 10)) v = -0.125;
+    const auto wrap = [](double v, int n) { return v - n * std::floor(v / n); };
+    const auto texel = [&](double x, double y, int c) {
+      return grid.at(wrap(x, shape.width), wrap(y, shape.height), 0, c);
+    };
+    const Table inputs[] = {engine.upload(places.shape, places.rgba), engine.upload(shape, grid.rgba)};
+    // Places of up to 4.25 widths of 33 texels: ten times the rounding of one table.
+    compare(places, read(engine, engine.run(pass("language_repeat_pass"), {}, inputs, places.shape)[0]), 10 * rounding,
+            [&](double u, double v, double, int c) {
+              const double x = u * shape.width - 0.5, y = v * shape.height - 0.5, i = std::floor(x), j = std::floor(y);
+              return (1 - x + i) * ((1 - y + j) * texel(i, j, c) + (y - j) * texel(i, j + 1, c)) +
+                     (x - i) * ((1 - y + j) * texel(i + 1, j, c) + (y - j) * texel(i + 1, j + 1, c));
+            });
+  }
+}
+
+TEST_P(Language, lookup_repeat_reads_inside_the_table_wherever_it_is_asked) {
+  AIRLIGHT_ENGINE_OR_SKIP(find_language_engine, GetParam());
+  Random random;
+  for (Shape shape : odd_shapes) {
+    const Grid grid = random_grid(shape, random), places = random_places(1e7, 1e7, 1, random);
+    const Table inputs[] = {engine.upload(places.shape, places.rgba), engine.upload(shape, grid.rgba)};
+    for (double v : read(engine, engine.run(pass("language_repeat_pass"), {}, inputs, places.shape)[0]))
+      ASSERT_LE(std::fabs(v), 0.5 + rounding);  // between the texels' values
+  }
+}
+
 TEST_P(Language, lookup_in_a_volume_is_trilinear) {
   AIRLIGHT_ENGINE_OR_SKIP(find_language_engine, GetParam());
   Random random;

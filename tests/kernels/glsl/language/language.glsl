@@ -112,6 +112,9 @@ FN Vec4 language_fetch_pass(Table2 places, Table2 grid, Vec2 uv) {
 /// Bilinear.
 FN Vec4 language_lookup2_pass(Table2 places, Table2 grid, Vec2 uv) { return lookup(grid, xy(fetch_same(places, uv))); }
 
+/// Bilinear in a table without end.
+FN Vec4 language_repeat_pass(Table2 places, Table2 grid, Vec2 uv) { return lookup_repeat(grid, xy(fetch_same(places, uv))); }
+
 /// Trilinear.
 FN Vec4 language_lookup3_pass(Table2 places, Table3 grid, Vec2 uv) { return lookup(grid, xyz(fetch_same(places, uv))); }
 
