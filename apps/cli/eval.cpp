@@ -1,4 +1,4 @@
-// `airlight eval`: kernel functions by name on any engine; test vectors for people who port a kernel.
+// `airlight eval`: models' adapters and kernel functions by name on any engine; test vectors for people who port a kernel.
 #include <fmt/core.h>
 
 #include <map>
@@ -12,6 +12,7 @@
 #include "json_line.h"
 #include "jsonl.h"
 #include "options.h"
+#include "sky/engine_caller.h"
 #include "text_output.h"
 
 namespace airlight::cli {
@@ -50,6 +51,14 @@ void evaluate_together(Engine& engine, std::span<Job* const> group) {
     for (std::size_t c = 0; c < given; ++c) group[i]->results.push_back(results[c * count + i]);
 }
 
+void evaluate_adapter(Engine& engine, Job& job) {
+  try {
+    job.results = evaluate(*job.request.adapter, job.request.values, engine);
+  } catch (const std::runtime_error& error) {
+    job.request.error = error.what();
+  }
+}
+
 /// Bit patterns, so that a NaN is equal to itself and the order is total.
 std::string bytes(const std::vector<double>& numbers) {
   return {reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(double)};
@@ -61,12 +70,16 @@ int answer_vectors(const EvalOptions& options) {
   const auto answer_chunk = [&](const std::string& name, std::span<const LineReader::Line> lines) {
     std::vector<Job> jobs;
     for (const LineReader::Line& line : lines) {
-      jobs.push_back({parse_eval_request(line.text), {}});
+      jobs.push_back({parse_eval_request(line.text, all_adapters()), {}});
       if (line.too_long) jobs.back().request.error = fmt::format("longer than {} bytes", LineReader::longest);
     }
     std::map<std::pair<const FunctionInfo*, std::string>, std::vector<Job*>> groups;
-    for (Job& job : jobs)
-      if (job.request.error.empty()) groups[{job.request.function, bytes(job.request.uniforms)}].push_back(&job);
+    for (Job& job : jobs) {
+      if (!job.request.error.empty()) continue;
+      if (job.request.function) groups[{job.request.function, bytes(job.request.uniforms)}].push_back(&job);
+      check_interrupt();
+      if (job.request.adapter) evaluate_adapter(*engine, job);
+    }
     for (const auto& [key, group] : groups) {
       check_interrupt();
       evaluate_together(*engine, group);
@@ -77,7 +90,7 @@ int answer_vectors(const EvalOptions& options) {
       all_answered = all_answered && request.error.empty();
       texts.push_back(
           to_line(request.error.empty()
-                      ? eval_answer(request.id, *request.function, results)
+                      ? eval_answer(request, results)
                       : error_answer(request.id, fmt::format("{}:{}: {}", name, lines[i].number, request.error))));
     }
     return texts;
@@ -98,9 +111,50 @@ nlohmann::ordered_json described(const ArgumentInfo& argument) {
   return json;
 }
 
+nlohmann::ordered_json value_as_json(const ParameterValue& value) {
+  if (const auto* word = std::get_if<std::string>(&value)) return *word;
+  const auto& numbers = std::get<std::vector<double>>(value);
+  if (numbers.size() == 1) return numbers[0];
+  return numbers;
+}
+
+std::string_view kind_name(const ParameterInfo& key) {
+  constexpr std::string_view names[] = {"number", "whole", "flag", "colour", "vector", "list", "word"};
+  return names[static_cast<int>(key.kind)];
+}
+
+nlohmann::ordered_json described(const Adapter& adapter) {
+  nlohmann::ordered_json json{
+      {"fn", adapter.name}, {"text", adapter.text}, {"arguments", nlohmann::ordered_json::array()}};
+  for (const ParameterInfo& key : adapter.inputs) {
+    nlohmann::ordered_json input{{"name", key.name}, {"type", kind_name(key)}, {"unit", key.unit}};
+    if (key.kind == ParameterInfo::Kind::vector || key.kind == ParameterInfo::Kind::list) input["size"] = key.size;
+    if (key.kind == ParameterInfo::Kind::word)
+      input["words"] = key.words;
+    else if (key.kind != ParameterInfo::Kind::flag)
+      input["range"] = {key.low, key.high};
+    if (key.otherwise) input["default"] = value_as_json(*key.otherwise);
+    if (key.optional || key.otherwise) input["optional"] = true;
+    if (!key.text.empty()) input["text"] = key.text;
+    json["arguments"].push_back(std::move(input));
+  }
+  json["result"] = {{"type", adapter.outputs}, {"unit", adapter.unit}};
+  json["bound"] = adapter.bound;
+  json["scale"] = adapter.scale;
+  json["evaluable"] = true;
+  json["engines"] =
+      adapter.double_only ? std::vector<std::string>{"double"} : std::vector<std::string>{"double", "simd", "gl"};
+  return json;
+}
+
+/// A kernel function that an adapter of the same name hides is not listed: it cannot be called.
+bool hidden(const FunctionInfo& function) { return find_adapter(all_adapters(), function.name) != nullptr; }
+
 std::string list_as_json() {
   auto list = nlohmann::ordered_json::array();
+  for (const Adapter& adapter : all_adapters()) list.push_back(described(adapter));
   for (const FunctionInfo& function : kernel_functions()) {
+    if (hidden(function)) continue;
     nlohmann::ordered_json json{
         {"fn", function.name}, {"text", function.text}, {"arguments", nlohmann::ordered_json::array()}};
     for (const ArgumentInfo& argument : function.arguments)
@@ -110,6 +164,7 @@ std::string list_as_json() {
     json["bound"] = function.bound;
     json["scale"] = function.scale;
     json["evaluable"] = function.evaluable;
+    json["engines"] = {"double", "simd", "gl"};
     json["source"] = fmt::format("{}:{}", function.file, function.line);
     list.push_back(std::move(json));
   }
@@ -127,9 +182,30 @@ void list_argument(const ArgumentInfo& argument, int indent, std::string& text) 
       if (!is_padding(field)) list_argument(field, indent + 4, text);
 }
 
+void list_adapter(const Adapter& adapter, std::string& text) {
+  text += fmt::format("{} -> {} [{}], bound {:g} * max(|value|, {:g}){}\n    {}\n", adapter.name, adapter.outputs,
+                      adapter.unit, adapter.bound, adapter.scale, adapter.double_only ? ", engine double alone" : "",
+                      adapter.text);
+  for (const ParameterInfo& key : adapter.inputs) {
+    text += fmt::format("    {} {}", kind_name(key), key.name);
+    if (key.kind == ParameterInfo::Kind::word) {
+      for (const std::string_view word : key.words)
+        text += fmt::format("{}{}", word == key.words[0] ? " = " : " | ", word);
+    } else {
+      text += fmt::format(" [{}]", key.unit);
+      if (key.high < 1e300) text += fmt::format(" {:g} .. {:g}", key.low, key.high);
+    }
+    if (key.otherwise) text += fmt::format(", default {}", value_as_json(*key.otherwise).dump());
+    if (key.optional && !key.otherwise) text += ", may be left out";
+    text += '\n';
+  }
+}
+
 std::string list_as_text() {
   std::string text;
+  for (const Adapter& adapter : all_adapters()) list_adapter(adapter, text);
   for (const FunctionInfo& function : kernel_functions()) {
+    if (hidden(function)) continue;
     text += fmt::format("{} -> {} [{}], bound {:g} * max(|value|, {:g}){}\n    {}\n", function.name,
                         function.returns_nothing ? "void" : type_name(function.result), function.unit, function.bound,
                         function.scale, function.evaluable ? "" : ", reads tables", function.text);

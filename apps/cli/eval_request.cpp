@@ -66,22 +66,48 @@ void read_argument(const ArgumentInfo& argument, const json& value, const std::s
   }
 }
 
-void read(const json& object, EvalRequest& request) {
+/// An adapter's inputs are read as they are; what each may be is the adapter's to say.
+ParameterValue read_parameter(const json& value, const std::string& name) {
+  if (value.is_boolean()) return std::vector<double>{value.get<bool>() ? 1.0 : 0.0};
+  if (value.is_string()) return value.get<std::string>();
+  std::vector<double> numbers;
+  if (!value.is_array()) return std::vector<double>{read_number(value, name)};
+  constexpr std::size_t most = 4096;
+  if (value.size() > most) throw InputError(fmt::format("{}: expected at most {} numbers", name, most));
+  for (std::size_t i = 0; i < value.size(); ++i)
+    numbers.push_back(read_number(value[i], fmt::format("{}[{}]", name, i)));
+  return numbers;
+}
+
+void read_adapter_inputs(const json& inputs, EvalRequest& request) {
+  Parameters given;
+  for (const auto& [key, value] : inputs.items()) given.emplace(key, read_parameter(value, "inputs." + key));
+  request.values = check_parameters(request.adapter->inputs, given, "inputs.");
+}
+
+void read(const json& object, std::span<const Adapter> adapters, EvalRequest& request) {
   Fields fields(object, "");
   fields.find("id");
   fields.get("fn");
-  const FunctionInfo& function = kernel_function(fields.text("fn", ""));
-  if (!function.evaluable)
-    throw InputError(fmt::format("fn = {}: reads tables; only functions of numbers can be evaluated", function.name));
+  const std::string name = fields.text("fn", "");
+  request.adapter = find_adapter(adapters, name);
   static const json none = json::object();
   const json* const given = fields.find("inputs");
   if (given && !given->is_object()) throw InputError(fmt::format("inputs = {}: expected an object", excerpt(*given)));
+  if (request.adapter) {
+    fields.expect_no_more();
+    read_adapter_inputs(given ? *given : none, request);
+    return;
+  }
+  const FunctionInfo& function = kernel_function(name);
+  if (!function.evaluable)
+    throw InputError(fmt::format("fn = {}: reads tables; only functions of numbers can be evaluated", function.name));
   fields.expect_no_more();
   Fields inputs(given ? *given : none, "inputs.");
   for (const ArgumentInfo& argument : function.arguments) {
     if (argument.out) continue;
-    const std::string name(argument.name);
-    read_argument(argument, inputs.get(name), inputs.path(name),
+    const std::string key(argument.name);
+    read_argument(argument, inputs.get(key), inputs.path(key),
                   is_uniform(argument.type) ? request.uniforms : request.varying);
   }
   inputs.expect_no_more();
@@ -131,17 +157,25 @@ std::string type_name(KernelType type, std::string_view struct_name) {
   return "?";
 }
 
-EvalRequest parse_eval_request(std::string_view text) {
+EvalRequest parse_eval_request(std::string_view text, std::span<const Adapter> adapters) {
   EvalRequest request;
   try {
-    read(parse_object(text, request.id), request);
+    read(parse_object(text, request.id), adapters, request);
   } catch (const InputError& error) {
     request.error = error.what();
   }
   return request;
 }
 
-nlohmann::ordered_json eval_answer(const json& id, const FunctionInfo& function, const std::vector<double>& results) {
+nlohmann::ordered_json eval_answer(const EvalRequest& request, const std::vector<double>& results) {
+  nlohmann::ordered_json answer{{"id", request.id}, {"value", json::array()}};
+  if (request.adapter) {
+    json numbers = json::array();
+    for (const double number : results) numbers.push_back(written(number));
+    answer["value"] = numbers;
+    return answer;
+  }
+  const FunctionInfo& function = *request.function;
   auto next = results.begin();
   const auto take = [&next](KernelType type) {
     json numbers = json::array();
@@ -154,7 +188,6 @@ nlohmann::ordered_json eval_answer(const json& id, const FunctionInfo& function,
     }
     return numbers;
   };
-  nlohmann::ordered_json answer{{"id", id}, {"value", json::array()}};
   if (!function.returns_nothing) answer["value"] = take(function.result);
   for (const ArgumentInfo& argument : function.arguments)
     if (argument.out) answer["outputs"][std::string(argument.name)] = take(argument.type);

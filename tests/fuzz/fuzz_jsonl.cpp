@@ -30,8 +30,18 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   check(batch);
   expect(!batch.error.empty() || batch.topic.asked);
   if (batch.error.empty() && !batch.topic.own.empty()) parse_plane_parallel(batch.topic.own);
-  const EvalRequest eval = parse_eval_request(text);
+  using Kind = airlight::ParameterInfo::Kind;
+  static const airlight::Adapter adapters[] = {
+      {.name = "fuzz.adapter",
+       .text = "",
+       .inputs = {{.name = "number", .low = 0, .high = 1},
+                  {.name = "colour", .kind = Kind::colour, .low = 0, .high = 1},
+                  {.name = "word", .kind = Kind::word, .words = {"one", "two"}, .otherwise = "one"}},
+       .outputs = "",
+       .unit = "",
+       .call = {}}};
+  const EvalRequest eval = parse_eval_request(text, adapters);
   check(eval);
-  expect(!eval.error.empty() || eval.function);
+  expect(!eval.error.empty() || eval.function || eval.adapter);
   return 0;
 }

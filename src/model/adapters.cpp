@@ -1,0 +1,17 @@
+#include <algorithm>
+#include <iterator>
+
+#include "model/adapter.h"
+
+namespace airlight {
+
+std::span<const Adapter> all_adapters() {
+  static const std::vector<Adapter> all = [] {
+    std::vector<Adapter> joined;
+    for (const auto& list : {codeflow_adapters}) std::ranges::move(list(), std::back_inserter(joined));
+    return joined;
+  }();
+  return all;
+}
+
+}  // namespace airlight

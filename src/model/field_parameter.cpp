@@ -1,0 +1,35 @@
+#include "model/field_parameter.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "engine/kernel_index.h"
+
+namespace airlight {
+
+ParameterInfo field_parameter(std::string_view struct_name, std::string_view field, ParameterValue otherwise) {
+  const auto fields = kernel_struct(struct_name).fields;
+  const auto found = std::ranges::find(fields, field, &ArgumentInfo::name);
+  if (found == fields.end())
+    throw std::logic_error("struct " + std::string(struct_name) + " has no field " + std::string(field));
+  const bool number = components(found->type) == 1;
+  return {.name = found->name,
+          .kind = number ? ParameterInfo::Kind::number : ParameterInfo::Kind::colour,
+          .unit = found->unit,
+          .text = found->text,
+          .low = found->low,
+          .high = found->high,
+          .otherwise = std::move(otherwise)};
+}
+
+Fields struct_fields(std::string_view struct_name, const Values& values) {
+  Fields fields;
+  for (const ArgumentInfo& field : kernel_struct(struct_name).fields) {
+    const auto found = values.all().find(field.name);
+    if (found == values.all().end()) continue;
+    if (const auto* numbers = std::get_if<std::vector<double>>(&found->second)) fields.emplace(field.name, *numbers);
+  }
+  return fields;
+}
+
+}  // namespace airlight

@@ -1,0 +1,17 @@
+// Parameters that are fields of a kernel's struct: unit, range and text are the field's own comment.
+#pragma once
+#include <string_view>
+#include <vector>
+
+#include "model/model.h"
+#include "model/parameters.h"
+
+namespace airlight {
+
+/// A Scalar field is a number, a Scalar4 a colour.
+ParameterInfo field_parameter(std::string_view struct_name, std::string_view field, ParameterValue otherwise);
+
+/// The fields of a struct from the values of the same names; fields that have none are left out.
+Fields struct_fields(std::string_view struct_name, const Values& values);
+
+}  // namespace airlight
