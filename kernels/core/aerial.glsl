@@ -74,25 +74,22 @@ FN_SHARED Vec4 shadowed_light(IN(Air) air, IN(Dome) froxels, IN(Shadow) shadow, 
     Float skipped = (air.ground_radius + at.x) * at.y - (air.ground_radius + observer.altitude) * view.z;
     Float root = sqrt(begin);
     Float stride = (sqrt(max(end, begin)) - root) * (1.0 / shadow.steps);
+    // The sum of (hidden part) x (light gathered over a step), by parts: light is asked for only where the hidden part changes.
     Vec4 lost = Vec4(0.0);
-    Vec4 before = Vec4(0.0);
-    Float known = Float(-1.0);  // the path up to which `before` has been gathered: most rays are in the light most of the way
+    Float hidden = Float(0.0);
     int steps = int(shadow.steps);
     for (int i = 0; i < steps; ++i) {
       Float near_end = root + Float(i) * stride;
       Float halfway = near_end + offset * stride;
       Float middle = halfway * halfway;
       Float altitude = altitude_along(air.ground_radius, at.x, at.y, middle);
-      Float hidden = 1.0 - sun_share(shadow, shadow_map, view * (skipped + middle), altitude);
-      if (any(hidden > 0.0)) {
-        Float far_end = near_end + stride;
-        if (any(known < near_end)) before = gathered_to(air, froxels, class0, class1, class2, class3, phase0, phase1, phase2, phase3, uv, near_end * near_end, whole);
-        Vec4 after = gathered_to(air, froxels, class0, class1, class2, class3, phase0, phase1, phase2, phase3, uv, far_end * far_end, whole);
-        lost = lost + (after - before) * hidden;
-        before = after;
-        known = root + (Float(i) + 1.0) * stride;
-      }
+      Float before = hidden;
+      hidden = 1.0 - sun_share(shadow, shadow_map, view * (skipped + middle), altitude);
+      Float change = before - hidden;
+      if (any(abs(change) > 0.0)) lost = lost + gathered_to(air, froxels, class0, class1, class2, class3, phase0, phase1, phase2, phase3, uv, near_end * near_end, whole) * change;
     }
+    Float far_end = root + shadow.steps * stride;
+    if (any(hidden > 0.0)) lost = lost + gathered_to(air, froxels, class0, class1, class2, class3, phase0, phase1, phase2, phase3, uv, far_end * far_end, whole) * hidden;
     shadowed = max(all - lost, 0.0);
   }
   return all;

@@ -2,7 +2,8 @@
 #include "core/geometry.glsl"
 // Shadows that land casts into the air. A map over the land holds, for the one direction of the Sun, two altitudes [m]: x, below
 // which all of the Sun's disc is hidden; y, above which all of it is seen. Between them, and outside the map, light is partial and
-// full. So the air's light costs one lookup a point, on every engine, and no ray is cast towards the Sun.
+// full. So the air's light costs one lookup a point, on every engine, and no ray is cast towards the Sun. A texel also holds the
+// altitudes of its neighbour on the u axis (z, w): two texels, not four, make a point between four.
 
 struct Shadow {
   Scalar4 across;   // [1/m] in -1e-5..1e-5  map coordinate u of a point p, in the observer's frame: dot(across.xyz, p) + across.w
@@ -19,8 +20,13 @@ struct Shadow {
 FN Float sun_share(IN(Shadow) shadow, Table2 shadow_map, Vec3 point, Float altitude) {
   Float u = dot(Vec3(shadow.across.x, shadow.across.y, shadow.across.z), point) + shadow.across.w;
   Float v = dot(Vec3(shadow.along.x, shadow.along.y, shadow.along.z), point) + shadow.along.w;
-  Vec4 edge = lookup(shadow_map, Vec2(u, v));
-  Float share = clamp((altitude - edge.x) / max(edge.y - edge.x, 1.0e-3), 0.0, 1.0);
+  Float x = clamp(u * width_of(shadow_map) - 0.5, 0.0, width_of(shadow_map) - 1.0);
+  Float y = clamp(v * height_of(shadow_map) - 0.5, 0.0, height_of(shadow_map) - 1.0);
+  Vec4 near_row = fetch(shadow_map, floor(x), floor(y));
+  Vec4 edge = near_row + (fetch(shadow_map, floor(x), floor(y) + 1.0) - near_row) * (y - floor(y));
+  Float dark = edge.x + (edge.z - edge.x) * (x - floor(x));
+  Float lit = edge.y + (edge.w - edge.y) * (x - floor(x));
+  Float share = clamp((altitude - dark) / max(lit - dark, 1.0e-3), 0.0, 1.0);
   Bool outside = (u < 0.0) || (u > 1.0) || (v < 0.0) || (v > 1.0);
   return select(outside, Float(1.0), share);
 }

@@ -97,8 +97,9 @@ struct SceneRenderer::Impl {
       ShadowGrid grid = options.shadow_grid;
       grid.east = eye[0];
       grid.north = eye[1];
-      shadows =
-          air_shadows(shadow_map(*land, view.sun, air.sun.angular_radius, grid), view.camera, options.shadow_steps);
+      // A pixel's samples look at different places of their rays, so each may look at fewer.
+      const int steps = std::max(8, int(std::lround(options.shadow_steps / std::sqrt(samples))));
+      shadows = air_shadows(shadow_map(*land, view.sun, air.sun.angular_radius, grid), view.camera, steps);
     }
     for (const Xyz& weight : colour_weights(air, wavelengths)) to_rgb.push_back(xyz_to_srgb(weight));
     for (std::size_t k = 0; k < 4; ++k) {
@@ -239,9 +240,13 @@ struct SceneRenderer::Impl {
       p.normal = {nx, std::sqrt(std::max(1 - nz * nz - nx * nx, 0.0)), nz};
       p.sun_visibility = std::clamp(double(visible[j]), 0.0, 1.0);
       p.sky_view = hit.mesh ? std::clamp(sky_view.at(hit.ground.east, hit.ground.north), 0.0, 1.0) : 1.0;
-      std::array<float, 4> reflected{};
-      colour.albedo(hit, pixel * hit.distance, reflected);
-      for (std::size_t k = 0; k < 4; ++k) albedo[4 * j + k] = std::clamp(double(reflected[k]), 0.0, 1.0);
+    });
+    constexpr std::size_t lanes = SurfaceColour::lanes;
+    in_parallel((which.size() + lanes - 1) / lanes, [&](std::size_t packet) {
+      const std::size_t begin = packet * lanes, end = std::min(begin + lanes, which.size());
+      const TerrainHit* hits[lanes];
+      for (std::size_t j = begin; j < end; ++j) hits[j - begin] = &s.hits[which[j]];
+      colour.albedo({hits, end - begin}, pixel, std::span(albedo).subspan(4 * begin, 4 * (end - begin)));
     });
     sky.surface(points, std::clamp(sun_at_eye[2], -1.0, 1.0), wavelengths, albedo, radiance, skylight);
     for (std::size_t j = 0; j < which.size(); ++j) {

@@ -39,6 +39,12 @@ struct Layer {
             std::min(s.blend, 0.25 * std::min(map.pixel_width() * f->width(), map.pixel_height() * f->height()))) {}
 
   double metres(double value) const { return value * settings.height_scale + settings.height_offset; }
+  /// Distance [m] from the box around the file, about: 0 inside.
+  double away(double east, double north) const {
+    const double x = std::max({map.west() - east, east - map.east(), 0.0});
+    const double y = std::max({map.south() - north, north - map.north(), 0.0});
+    return std::max(x, y);
+  }
   /// Distance [m] to the outline, positive inside.
   double inside(const std::array<double, 2>& p) const { return pyramid.inside(p[0], p[1]) * pixel; }
 };
@@ -72,6 +78,10 @@ struct Land::Impl {
     if (from_edge <= 0) return {plain, 0, 0};
     double height = plain, cover = 0, outside = 1e9;
     for (const Layer& layer : layers) {
+      // Farther off than it has a say.
+      if (layer.away(east, north) >
+          2 * std::max(layer.settings.blend, settings.relief ? settings.relief->wavelength : 0))
+        continue;
       const auto p = layer.map.pixel(east, north);
       const double inside = layer.inside(p);
       outside = std::min(outside, -inside);

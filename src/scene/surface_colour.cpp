@@ -80,16 +80,20 @@ class Overlay {
   std::optional<MapGrid> map_;
 };
 
+constexpr int lanes = SurfaceColour::lanes;
+
 /// Patches, in about [-1, 1], of the sizes that the footprint leaves visible.
-double patches(const GroundPoint& g, double footprint) {
-  double sum = 0, amplitude = 0.6;
-  for (const double size : {900.0, 240.0, 60.0, 16.0}) {
-    const double kept = std::clamp(size / (2 * footprint) - 1, 0.0, 1.0);
-    if (kept == 0) break;
-    sum += kept * amplitude * double(noise(float(g.east / size), float(g.north / size), std::uint32_t(size)).height);
-    amplitude *= 0.65;
+AIRLIGHT_EVERY_PROCESSOR
+void patches(const float* east, const float* north, const float* footprint, float* sum) {
+  for (int l = 0; l < lanes; ++l) sum[l] = 0;
+  float amplitude = 0.6f;
+  for (const float size : {900.0f, 240.0f, 60.0f, 16.0f}) {
+    for (int l = 0; l < lanes; ++l) {
+      const float kept = std::min(std::max(size / (2 * footprint[l]) - 1, 0.0f), 1.0f);
+      sum[l] += kept * amplitude * noise(east[l] / size, north[l] / size, std::uint32_t(size)).height;
+    }
+    amplitude *= 0.65f;
   }
-  return sum;
 }
 
 }  // namespace
@@ -131,28 +135,39 @@ SurfaceColour::~SurfaceColour() = default;
 SurfaceColour::SurfaceColour(SurfaceColour&&) noexcept = default;
 SurfaceColour& SurfaceColour::operator=(SurfaceColour&&) noexcept = default;
 
-void SurfaceColour::albedo(const TerrainHit& hit, double footprint, std::span<float> albedo) const {
+void SurfaceColour::albedo(std::span<const TerrainHit* const> hits, double pixel_angle,
+                           std::span<double> albedo) const {
   const Impl& m = *impl_;
   const SurfaceSettings& s = m.settings;
-  std::array<double, 3> rgb{};
-  const double painted = m.overlay ? m.overlay->at(hit.ground, footprint, rgb) : 0;
-
-  const double patch = s.variety * patches(hit.ground, footprint);
-  const double slope = double(hit.slope), altitude = hit.ground.altitude;
-  const double grass = smooth_step((s.grass_line - altitude + 400 * patch) / 300) *
-                       smooth_step((s.steepest_grass - slope + 0.2 * patch) / 0.2);
-  const double snow = smooth_step((altitude - s.snow_line + 400 * patch) / 250) *
-                      smooth_step((s.steepest_snow - slope + 0.2 * patch) / 0.2);
-  const double water = altitude <= s.water_level + 0.5 && slope < 0.02 ? 1 : 0;
-  const double shade = 1 + 0.35 * patch;
-  for (std::size_t k = 0; k < albedo.size(); ++k) {
-    double value = m.rock[k] * shade;
-    value += (m.grass[k] * shade - value) * grass;
-    value += (m.snow[k] - value) * snow;
-    value += (m.water[k] - value) * water;
-    const double image = m.lift[k][0] * rgb[0] + m.lift[k][1] * rgb[1] + m.lift[k][2] * rgb[2];
-    value += (image - value) * painted;
-    albedo[k] = float(std::clamp(value, 0.0, 1.0));
+  const std::size_t wavelengths = m.wavelengths.size();
+  float east[lanes], north[lanes], footprint[lanes], patch_of[lanes];
+  for (std::size_t l = 0; l < std::size_t(lanes); ++l) {
+    const TerrainHit& hit = *hits[std::min(l, hits.size() - 1)];
+    east[l] = float(hit.ground.east), north[l] = float(hit.ground.north);
+    footprint[l] = std::max(float(pixel_angle * hit.distance), 1e-6f);
+  }
+  patches(east, north, footprint, patch_of);
+  for (std::size_t i = 0; i < hits.size(); ++i) {
+    const TerrainHit& hit = *hits[i];
+    std::array<double, 3> rgb{};
+    const double painted = m.overlay ? m.overlay->at(hit.ground, double(footprint[i]), rgb) : 0;
+    const double patch = s.variety * double(patch_of[i]);
+    const double slope = double(hit.slope), altitude = hit.ground.altitude;
+    const double grass = smooth_step((s.grass_line - altitude + 400 * patch) / 300) *
+                         smooth_step((s.steepest_grass - slope + 0.2 * patch) / 0.2);
+    const double snow = smooth_step((altitude - s.snow_line + 400 * patch) / 250) *
+                        smooth_step((s.steepest_snow - slope + 0.2 * patch) / 0.2);
+    const double water = altitude <= s.water_level + 0.5 && slope < 0.02 ? 1 : 0;
+    const double shade = 1 + 0.35 * patch;
+    for (std::size_t k = 0; k < wavelengths; ++k) {
+      double value = m.rock[k] * shade;
+      value += (m.grass[k] * shade - value) * grass;
+      value += (m.snow[k] - value) * snow;
+      value += (m.water[k] - value) * water;
+      const double image = m.lift[k][0] * rgb[0] + m.lift[k][1] * rgb[1] + m.lift[k][2] * rgb[2];
+      value += (image - value) * painted;
+      albedo[i * wavelengths + k] = std::clamp(value, 0.0, 1.0);
+    }
   }
 }
 

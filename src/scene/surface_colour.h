@@ -37,9 +37,11 @@ class SurfaceColour {
   SurfaceColour(SurfaceColour&&) noexcept;
   SurfaceColour& operator=(SurfaceColour&&) noexcept;
 
-  /// @param footprint  width of the ground that the pixel covers [m]: what is smaller is averaged
-  /// @param albedo     one value a wavelength, in [0, 1]
-  void albedo(const TerrainHit& hit, double footprint, std::span<float> albedo) const;
+  static constexpr int lanes = 16;
+  /// @param hits         1 to `lanes` of them
+  /// @param pixel_angle  what is smaller on the ground than a pixel is averaged [rad]
+  /// @param albedo       hits x wavelengths, in [0, 1]
+  void albedo(std::span<const TerrainHit* const> hits, double pixel_angle, std::span<double> albedo) const;
 
  private:
   struct Impl;

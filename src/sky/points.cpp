@@ -24,9 +24,15 @@ void check_shadows(const AirShadows& shadows) {
 const Table& Sky::Impl::cast(const AirShadows& shadows, double datum) {
   if (shadows.edges && shadows.edges == last_cast.edges && datum == last_cast.datum) return last_cast.table;
   check_shadows(shadows);
-  std::vector<double> texels(2 * shadows.edges->size());
-  for (std::size_t i = 0; 4 * i < texels.size(); ++i)
-    set_texel(texels, i, (*shadows.edges)[2 * i] - datum, (*shadows.edges)[2 * i + 1] - datum, 0, 0);
+  // Beside each cell its neighbour, as the kernel wants it.
+  const std::vector<float>& edges = *shadows.edges;
+  const auto width = std::size_t(shadows.width);
+  std::vector<double> texels(2 * edges.size());
+  for (std::size_t i = 0; 2 * i < edges.size(); ++i) {
+    const std::size_t next = (i + 1) % width ? i + 1 : i;
+    set_texel(texels, i, edges[2 * i] - datum, edges[2 * i + 1] - datum, edges[2 * next] - datum,
+              edges[2 * next + 1] - datum);
+  }
   last_cast = {shadows.edges, datum, engine->lend({shadows.width, shadows.height, 1}, texels)};
   return last_cast.table;
 }

@@ -20,9 +20,10 @@ TerrainHit at(double east, double north, double altitude, double slope) {
   return hit;
 }
 
-std::array<float, 4> albedo(const SurfaceColour& colour, const TerrainHit& hit, double footprint = 1) {
-  std::array<float, 4> result;
-  colour.albedo(hit, footprint, result);
+std::array<double, 4> albedo(const SurfaceColour& colour, const TerrainHit& hit, double footprint = 1) {
+  std::array<double, 4> result;
+  const TerrainHit* const hits[] = {&hit};
+  colour.albedo(hits, footprint / hit.distance, result);
   return result;
 }
 
@@ -36,8 +37,8 @@ TEST(SurfaceColour, snow_lies_high_and_level_rock_is_steep_grass_is_green) {
   const auto rock = albedo(colour, at(0, 0, 4000, 1.3)), grass = albedo(colour, at(0, 0, 500, 0.1)),
              water = albedo(colour, at(0, 0, 0, 0));
   EXPECT_LT(rock[1], 0.3);
-  EXPECT_GT(grass[2], 1.3f * grass[3]) << "green reflects more than red";
-  EXPECT_GT(grass[2], 1.3f * grass[0]) << "and more than blue";
+  EXPECT_GT(grass[2], 1.3 * grass[3]) << "green reflects more than red";
+  EXPECT_GT(grass[2], 1.3 * grass[0]) << "and more than blue";
   // Feister & Grewe at 565 nm, the mean of the bins around it.
   EXPECT_NEAR(grass[2], 0.089, 0.005);
   EXPECT_LT(water[1], 0.05);
