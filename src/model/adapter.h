@@ -54,5 +54,6 @@ const Adapter* find_adapter(std::span<const Adapter> adapters, std::string_view 
 
 // One list a system, in its model's file; src/model/adapters.cpp joins them.
 std::vector<Adapter> codeflow_adapters();
+std::vector<Adapter> jetlag_adapters();
 
 }  // namespace airlight

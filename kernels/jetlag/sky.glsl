@@ -1,0 +1,132 @@
+#pragma once
+#include "core/picture.glsl"
+#include "core/radiance.glsl"
+#include "core/tables.glsl"
+#include "jetlag/jetlag.glsl"
+// Jetlag's answers: rays, skylight, pictures. World frame: east, north, up.
+
+struct JetlagFrames {
+  Scalar count;   // [1] in 1..256  frames that make up a picture
+  Scalar blend;   // [1] in 0..1    weight of the newest, blended after encoding by square root; 0: the mean of all, in linear light
+  Scalar show;    // [1] in 0..1    0: the picture; 1: transmittance
+  Scalar pad;     // [1] in 0..1
+};
+
+/// From (east, north, up) to the kernel's (east, up, south) [1].
+/// @param v [1] in -1..1
+FN Vec3 jetlag_frame(Vec3 v) { return Vec3(v.x, v.z, -v.y); }
+
+/// Light that the ground reflects, lit by the Sun through the air [1].
+FN_SHARED Vec4 jetlag_ground(IN(Jetlag) jetlag, IN(JetlagDrift) drift, Table2 noise, Vec3 p, Vec3 sun) {
+  Float gap = jetlag_gap(jetlag, p);
+  Float sunward = dot(p, sun) + jetlag.ground_radius * sun.y;
+  Float length = max(jetlag_escape(gap, sunward, Float(jetlag.top * (2.0 * jetlag.ground_radius + jetlag.top))), 0.0);
+  Vec2 depth = jetlag_depth(jetlag, drift, noise, p, sun, gap, sunward, Float(0.0), length, 32, Float(jetlag.jitter.x));
+  Float facing = max(sunward * (1.0 / jetlag.ground_radius), 0.0);
+  return jetlag_through(jetlag, depth) * (facing * (jetlag.sun_intensity * jetlag.albedo * (1.0 / 3.0)));
+}
+
+/// A ray's light from the air alone [1]; its transmittance; the ground's light, attenuated.
+/// An infinite distance goes to the top of the air, or to the ground where that is near enough to be seen.
+FN_SHARED Vec4 jetlag_ray(IN(Jetlag) jetlag, IN(JetlagDrift) drift, Table2 noise, Vec3 o, Vec3 view, Vec3 sun, Float distance, Vec2 jitter, OUT(Vec4) transmittance, OUT(Vec4) ground) {
+  Float gap = jetlag_gap(jetlag, o);
+  Float along = dot(o, view) + jetlag.ground_radius * view.y;
+  Float discriminant = along * along - gap;
+  Float to_ground = gap / max(abs(along) + sqrt(max(discriminant, 0.0)), 1.0e-6);
+  Bool hits = (along < 0.0) && (discriminant > 0.0) && (to_ground >= 0.0) && (to_ground < jetlag.ground_reach) && (to_ground <= distance);
+  Float to_top = max(jetlag_escape(gap, along, Float(jetlag.top * (2.0 * jetlag.ground_radius + jetlag.top))), 0.0);
+  Float length = select(hits, to_ground, select(distance < 1.0e9, distance, to_top));
+  Vec4 light = jetlag_scatter(jetlag, drift, noise, o, view, length, sun, jitter, transmittance);
+  ground = Vec4(0.0);
+  if (any(hits)) ground = select(hits, jetlag_ground(jetlag, drift, noise, o + view * length, sun) * transmittance, Vec4(0.0));
+  return light;
+}
+
+/// The air's light along rays; the transmittance; the ground's light, attenuated: relative linear RGB.
+FN Vec4 jetlag_rays_pass(IN(Jetlag) jetlag, IN(JetlagDrift) drift, Table2 noise, Table2 eyes, Table2 suns, Vec2 uv, OUT(Vec4) transmittance, OUT(Vec4) ground) {
+  Vec4 eye = fetch_same(eyes, uv);
+  Vec4 at = fetch_same(suns, uv);
+  Vec3 o = Vec3(Float(jetlag.eye.x), eye.x, Float(jetlag.eye.z));
+  return jetlag_ray(jetlag, drift, noise, o, jetlag_frame(Vec3(eye.y, eye.z, eye.w)), jetlag_frame(Vec3(at.y, at.z, at.w)), at.x, Vec2(Float(jetlag.jitter.x), Float(jetlag.jitter.y)), transmittance, ground);
+}
+
+/// Skylight from one direction of the hemisphere (u) for one observer (v), times its z [1].
+FN Vec4 jetlag_sky_light_pass(IN(Jetlag) jetlag, IN(JetlagDrift) drift, Table2 noise, Table2 eyes, Table2 suns, Vec2 uv) {
+  Vec4 eye = fetch(eyes, Float(0.0), floor(uv.y * height_of(eyes)));
+  Vec4 at = fetch(suns, Float(0.0), floor(uv.y * height_of(suns)));
+  Vec3 view = hemisphere_direction(floor(uv.x * 256.0));
+  Vec3 o = Vec3(Float(jetlag.eye.x), eye.x, Float(jetlag.eye.z));
+  Vec4 transmittance = Vec4(0.0);
+  Vec4 ground = Vec4(0.0);
+  return jetlag_ray(jetlag, drift, noise, o, jetlag_frame(view), jetlag_frame(sun_ahead(Vec3(at.y, at.z, at.w))), Float(1.0e30), Vec2(Float(jetlag.jitter.x), Float(jetlag.jitter.y)), transmittance, ground) * view.z;
+}
+
+/// Sunlight at places [1].
+FN Vec4 jetlag_sun_irradiance_pass(IN(Jetlag) jetlag, IN(JetlagDrift) drift, Table2 noise, Table2 eyes, Table2 suns, Vec2 uv) {
+  Vec4 at = fetch_same(suns, uv);
+  Vec3 sun = jetlag_frame(Vec3(at.y, at.z, at.w));
+  Vec3 p = Vec3(Float(jetlag.eye.x), fetch_same(eyes, uv).x, Float(jetlag.eye.z));
+  Vec2 depth = jetlag_light(jetlag, drift, noise, p, sun, jetlag_gap(jetlag, p), dot(p, sun) + jetlag.ground_radius * sun.y, 32, Float(jetlag.jitter.x));
+  return jetlag_through(jetlag, depth) * jetlag.sun_intensity;
+}
+
+/// Densities of molecules and haze, the clouds' noise, the height [m]: at places of the kernel's frame.
+FN Vec4 jetlag_density_pass(IN(Jetlag) jetlag, IN(JetlagDrift) drift, Table2 noise, Table2 places, Vec2 uv) {
+  Vec3 p = xyz(fetch_same(places, uv));
+  Float height = jetlag_height(jetlag, jetlag_gap(jetlag, p));
+  Vec2 density = jetlag_density(jetlag, height);
+  return Vec4(density.x, density.y + jetlag_cloud(jetlag, drift, noise, p, height), jetlag_cloud_noise(drift, noise, p), height);
+}
+
+/// The noise at coordinates in texels [1].
+FN Vec4 jetlag_noise_pass(Table2 noise, Table2 places, Vec2 uv) {
+  return Vec4(jetlag_noise(noise, xyz(fetch_same(places, uv))));
+}
+
+/// Depths [m] of molecules and haze from places (w: length [m]) along directions, in light steps.
+FN Vec4 jetlag_depth_pass(IN(Jetlag) jetlag, IN(JetlagDrift) drift, Table2 noise, Table2 places, Table2 directions, Vec2 uv) {
+  Vec4 place = fetch_same(places, uv);
+  Vec3 direction = xyz(fetch_same(directions, uv));
+  Vec2 depth = jetlag_depth(jetlag, drift, noise, xyz(place), direction, jetlag_gap(jetlag, xyz(place)), dot(xyz(place), direction) + jetlag.ground_radius * direction.y, Float(0.0), place.w, int(jetlag.light_steps), Float(jetlag.jitter.x));
+  return Vec4(depth.x, depth.y, Float(0.0), Float(0.0));
+}
+
+/// A picture, relative linear RGB. `drifts` holds a frame a column: where the clouds are, and in the fifth row where its random numbers are.
+FN Vec4 jetlag_picture_pass(IN(Camera) camera, IN(Observer) observer, IN(Jetlag) jetlag, IN(JetlagFrames) frames, IN(GridSize) size, Table2 noise, Table2 drifts, Vec2 uv) {
+  Float inside = Float(0.0);
+  Vec3 sun = jetlag_frame(Vec3(observer.sun.x, observer.sun.y, observer.sun.z));
+  Vec3 o = Vec3(Float(jetlag.eye.x), Float(observer.altitude), Float(jetlag.eye.z));
+  Vec4 sum = Vec4(0.0);
+  int count = int(frames.count);
+  for (int k = 0; k < count; ++k) {
+    JetlagDrift drift;
+    drift.first = fetch_scalar(drifts, k, 0);
+    drift.fourth = fetch_scalar(drifts, k, 1);
+    drift.ninth = fetch_scalar(drifts, k, 2);
+    drift.seventeenth = fetch_scalar(drifts, k, 3);
+    Scalar4 offset = fetch_scalar(drifts, k, 4);
+    Vec2 at = uv;
+    Vec2 jitter = Vec2(Float(jetlag.jitter.x), Float(jetlag.jitter.y));
+    if (jetlag.jitter.z > 0.5) {
+      Vec4 random = min(lookup_repeat(noise, Vec2((floor(uv.x * size.width) + offset.x + 0.5) * (1.0 / 1024.0), (floor(uv.y * size.height) + offset.y + 0.5) * (1.0 / 1024.0))), 0.999);
+      at = Vec2(uv.x + (random.x - 0.5) * (1.0 / size.width), uv.y + (random.y - 0.5) * (1.0 / size.height));
+      jitter = Vec2(random.z, random.w);
+    }
+    Vec3 view = jetlag_frame(camera_view(camera, at, inside));
+    Vec4 transmittance = Vec4(0.0);
+    Vec4 ground = Vec4(0.0);
+    Vec4 light = jetlag_ray(jetlag, drift, noise, o, view, sun, Float(1.0e30), jitter, transmittance, ground) + ground;
+    if (frames.show > 0.5) light = transmittance;
+    if (frames.blend > 0.0) {
+      Vec4 code = Vec4(sqrt(max(light.x, 0.0)), sqrt(max(light.y, 0.0)), sqrt(max(light.z, 0.0)), Float(0.0));
+      if (k == 0) sum = code;
+      sum = mix(sum, code, Float(frames.blend));
+    } else {
+      sum = sum + light * (1.0 / frames.count);
+    }
+  }
+  if (frames.blend > 0.0) sum = sum * sum;
+  // Pixels that a fisheye leaves black do not depend on the jitter.
+  camera_view(camera, uv, inside);
+  return Vec4(sum.x * inside, sum.y * inside, sum.z * inside, Float(1.0));
+}
