@@ -16,7 +16,7 @@
 namespace airlight {
 namespace {
 
-constexpr int sky_view_cells = 320;
+constexpr int sky_view_cells = 160;  // of each of two maps
 
 double dot(const Direction& a, const Direction& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 Direction unit(const Direction& d) {
@@ -59,7 +59,7 @@ struct SceneRenderer::Impl {
   Terrain terrain;
   std::vector<double> wavelengths;
   SurfaceColour colour;
-  SkyViewMap sky_view;
+  SkyViewMap sky_view, sky_view_near;  // the same, finer around the eye
   std::optional<AirShadows> shadows;
   std::vector<std::array<double, 3>> to_rgb;  // a wavelength: linear sRGB of its radiance
   std::array<double, 4> limb{}, irradiance{};
@@ -93,6 +93,7 @@ struct SceneRenderer::Impl {
     const double reach = std::min(options.shadow_grid.half_width, land->extent());
     const GroundPoint below = land->frame().ground(eye);
     sky_view = sky_view_map(*land, below.east, below.north, reach, sky_view_cells);
+    sky_view_near = sky_view_map(*land, below.east, below.north, 0.25 * reach, sky_view_cells);
     if (options.air_shadows) {
       ShadowGrid grid = options.shadow_grid;
       grid.east = eye[0];
@@ -115,6 +116,14 @@ struct SceneRenderer::Impl {
     }
   }
 
+  double sky_seen(const GroundPoint& g) const {
+    constexpr double edge = 8;  // cells over which one map takes over from the other
+    const double near = std::clamp(sky_view_near.inside(g.east, g.north) / edge, 0.0, 1.0);
+    const double fine = near > 0 ? sky_view_near.at(g.east, g.north) : 0;
+    const double coarse = near < 1 ? sky_view.at(g.east, g.north) : 0;
+    return std::clamp(near * fine + (1 - near) * coarse, 0.0, 1.0);
+  }
+
   std::array<double, 3> rgb(const double* spectrum) const {
     std::array<double, 3> out{};
     for (std::size_t k = 0; k < 4; ++k) {
@@ -130,20 +139,26 @@ struct SceneRenderer::Impl {
     return faces[face].look(across - double(face), v);
   }
 
-  // The samples of a strip, one after the other, pixel by pixel.
+  // The samples of a strip, one after the other, pixel by pixel. One object serves all strips.
   struct Samples {
     std::vector<Sight> sights;
     std::vector<char> inside;
+    std::vector<SceneRay> rays;
     std::vector<TerrainHit> hits;
+    std::vector<double> inscatter, transmittance;  // 4 a sample
+    std::vector<int> nth_on_ground;                // place in the lists below; -1: the sky
+    // Of those on the ground alone.
+    std::vector<std::size_t> on_ground;
+    std::vector<SunQuestion> questions;
     std::vector<float> sun_visibility;
-    std::vector<double> albedo, surface, skylight, inscatter, transmittance;  // 4 a sample
+    std::vector<SurfacePoint> points;
+    std::vector<double> albedo, surface, skylight;  // 4 each
   };
 
-  Samples see_rows(int begin, int end) const {
+  void see_rows(int begin, int end, Samples& s) const {
     const Camera& camera = view.camera.camera;
     const std::size_t count = std::size_t(end - begin) * std::size_t(width) * std::size_t(samples);
     const int side = int(std::lround(std::sqrt(samples)));
-    Samples s;
     s.sights.resize(count);
     s.inside.resize(count);
     in_parallel(count, [&](std::size_t i) {
@@ -153,43 +168,50 @@ struct SceneRenderer::Impl {
                    dy = (double(sample / std::size_t(side)) + 0.5) / side;
       const std::optional<Direction> seen = look((x + dx) / width, (y + dy) / camera.height);
       s.inside[i] = seen.has_value();
-      s.sights[i].view = seen.value_or(Direction{0, 0, 1});
-      s.sights[i].offset = shadow_offset(x, y, double(sample));
+      s.sights[i] = {seen.value_or(Direction{0, 0, 1}), std::numeric_limits<double>::infinity(),
+                     shadow_offset(x, y, double(sample))};
     });
     see(s);
-    return s;
   }
 
   // What the samples' lines of sight meet, and all its light.
   void see(Samples& s) const {
     const std::size_t count = s.sights.size();
-    std::vector<SceneRay> rays(count);
-    in_parallel(count, [&](std::size_t i) { rays[i] = {eye, view.camera.to_scene(s.sights[i].view)}; });
+    s.rays.resize(count);
+    in_parallel(count, [&](std::size_t i) { s.rays[i] = {eye, view.camera.to_scene(s.sights[i].view)}; });
     s.hits.resize(count);
-    terrain.hits(rays, s.hits);
-
-    std::vector<std::size_t> on_ground;
+    terrain.hits(s.rays, s.hits);
+    s.on_ground.clear();
+    s.nth_on_ground.assign(count, -1);
     for (std::size_t i = 0; i < count; ++i) {
-      if (s.hits[i].hit()) on_ground.push_back(i), s.sights[i].distance = s.hits[i].distance;
+      if (!s.hits[i].hit()) continue;
+      s.nth_on_ground[i] = int(s.on_ground.size());
+      s.on_ground.push_back(i);
+      s.sights[i].distance = s.hits[i].distance;
     }
-    shade(s, on_ground);
+    shade(s);
 
     s.inscatter.resize(4 * count);
     s.transmittance.resize(4 * count);
     sky.haze(altitude, sun_at_eye, s.sights, wavelengths, shadows ? &*shadows : nullptr, s.inscatter, s.transmittance);
-    if (options.sun_disc) {
+  }
+
+  // What comes from the far end of a sample's line of sight: light of the ground, or of the Sun.
+  std::array<double, 4> behind(const Samples& s, std::size_t i) const {
+    std::array<double, 4> light{};
+    if (const int n = s.nth_on_ground[i]; n >= 0) {
+      std::copy_n(&s.surface[4 * std::size_t(n)], 4, light.begin());
+    } else if (options.sun_disc) {
       const DiscInPicture& disc = faces[sun_face].disc;
       const double reach = disc.radius + disc.edge;
-      in_parallel(count, [&](std::size_t i) {
-        if (s.hits[i].hit()) return;
-        const Direction& v = s.sights[i].view;
-        const double dx = v[0] - sun_at_eye[0], dy = v[1] - sun_at_eye[1], dz = v[2] - sun_at_eye[2];
-        const double one_minus_cos = 0.5 * (dx * dx + dy * dy + dz * dz);
-        if (2 * one_minus_cos >= reach * reach) return;
-        const auto shape = disc_radiance(disc, limb, one_minus_cos);
-        for (std::size_t k = 0; k < 4; ++k) s.surface[4 * i + k] = shape[k] * irradiance[k];
-      });
+      const Direction& v = s.sights[i].view;
+      const double dx = v[0] - sun_at_eye[0], dy = v[1] - sun_at_eye[1], dz = v[2] - sun_at_eye[2];
+      const double one_minus_cos = 0.5 * (dx * dx + dy * dy + dz * dz);
+      if (2 * one_minus_cos >= reach * reach) return light;
+      const auto shape = disc_radiance(disc, limb, one_minus_cos);
+      for (std::size_t k = 0; k < 4; ++k) light[k] = shape[k] * irradiance[k];
     }
+    return light;
   }
 
   Answer at(double u, double v) const {
@@ -201,31 +223,25 @@ struct SceneRenderer::Impl {
     s.sights = {{*seen}};
     s.inside = {1};
     see(s);
-    Answer answer{*seen, sun_at_eye, view.camera.to_scene(*seen), s.hits[0].distance, {}, {}, {}};
+    Answer answer{*seen, sun_at_eye, view.camera.to_scene(*seen), s.hits[0].distance, {}, {}, behind(s, 0)};
     for (std::size_t k = 0; k < 4; ++k) {
       answer.inscatter[k] = s.inscatter[k];
       answer.transmittance[k] = s.transmittance[k];
-      answer.surface[k] = s.surface[k];
     }
     return answer;
   }
 
   // What leaves the ground towards the eye.
-  void shade(Samples& s, std::span<const std::size_t> which) const {
-    const std::size_t count = s.hits.size();
-    s.sun_visibility.assign(count, 0);
-    s.albedo.assign(4 * count, 0);
-    s.surface.assign(4 * count, 0);
-    s.skylight.assign(4 * count, 0);
+  void shade(Samples& s) const {
+    const std::vector<std::size_t>& which = s.on_ground;
     if (which.empty()) return;
-    std::vector<SunQuestion> questions;
-    for (const std::size_t i : which) questions.push_back({s.hits[i].position, s.hits[i].normal});
-    std::vector<float> visible(which.size());
-    terrain.sun_visibility(questions, view.sun, options.soft_shadows ? sky.atmosphere().sun.angular_radius : 0.0,
-                           visible);
-
-    std::vector<SurfacePoint> points(which.size());
-    std::vector<double> albedo(4 * which.size()), radiance(albedo.size()), skylight(albedo.size());
+    s.questions.clear();
+    for (const std::size_t i : which) s.questions.push_back({s.hits[i].position, s.hits[i].normal});
+    s.sun_visibility.resize(which.size());
+    s.points.resize(which.size());
+    for (auto* spectra : {&s.albedo, &s.surface, &s.skylight}) spectra->resize(4 * which.size());
+    terrain.sun_visibility(s.questions, view.sun, options.soft_shadows ? sky.atmosphere().sun.angular_radius : 0.0,
+                           s.sun_visibility);
     in_parallel(which.size(), [&](std::size_t j) {
       const TerrainHit& hit = s.hits[which[j]];
       const Direction up = land->frame().up(hit.position), normal = wide(hit.shading_normal);
@@ -233,92 +249,100 @@ struct SceneRenderer::Impl {
       const double cosine = std::clamp(dot(normal, view.sun), -1.0, 1.0);
       const double sin_s = std::sqrt(std::max(1 - mu_s * mu_s, 1e-12)), across = std::sqrt(std::max(1 - nz * nz, 0.0));
       const double nx = std::clamp((cosine - nz * mu_s) / sin_s, -across, across);
-      SurfacePoint& p = points[j];
+      SurfacePoint& p = s.points[j];
       p.altitude = hit.ground.altitude;
       p.sun_zenith_cosine = mu_s;
       p.sun_cosine = cosine;
       p.normal = {nx, std::sqrt(std::max(1 - nz * nz - nx * nx, 0.0)), nz};
-      p.sun_visibility = std::clamp(double(visible[j]), 0.0, 1.0);
-      p.sky_view = hit.mesh ? std::clamp(sky_view.at(hit.ground.east, hit.ground.north), 0.0, 1.0) : 1.0;
+      p.sun_visibility = std::clamp(double(s.sun_visibility[j]), 0.0, 1.0);
+      p.sky_view = hit.mesh ? sky_seen(hit.ground) : 1.0;
     });
     constexpr std::size_t lanes = SurfaceColour::lanes;
     in_parallel((which.size() + lanes - 1) / lanes, [&](std::size_t packet) {
       const std::size_t begin = packet * lanes, end = std::min(begin + lanes, which.size());
       const TerrainHit* hits[lanes];
       for (std::size_t j = begin; j < end; ++j) hits[j - begin] = &s.hits[which[j]];
-      colour.albedo({hits, end - begin}, pixel, std::span(albedo).subspan(4 * begin, 4 * (end - begin)));
+      colour.albedo({hits, end - begin}, pixel, std::span(s.albedo).subspan(4 * begin, 4 * (end - begin)));
     });
-    sky.surface(points, std::clamp(sun_at_eye[2], -1.0, 1.0), wavelengths, albedo, radiance, skylight);
-    for (std::size_t j = 0; j < which.size(); ++j) {
-      const std::size_t i = which[j];
-      s.sun_visibility[i] = visible[j];
-      for (std::size_t k = 0; k < 4; ++k) {
-        s.albedo[4 * i + k] = albedo[4 * j + k];
-        s.surface[4 * i + k] = radiance[4 * j + k];
-        s.skylight[4 * i + k] = skylight[4 * j + k];
-      }
-    }
+    sky.surface(s.points, std::clamp(sun_at_eye[2], -1.0, 1.0), wavelengths, s.albedo, s.surface, s.skylight);
   }
 
   // Means over the samples of each pixel.
-  SceneRows rows(const Samples& s, int begin, int end) const {
+  SceneRows rows(const Samples& s, int begin, int end, bool layers) const {
     const std::size_t pixels = std::size_t(end - begin) * std::size_t(width), per_pixel = std::size_t(samples);
     SceneRows out;
     out.begin = begin;
     out.end = end;
-    for (auto* layer : {&out.rgb, &out.surface, &out.transmittance, &out.inscatter, &out.position, &out.normal,
-                        &out.albedo, &out.sky_irradiance})
+    out.rgb.resize(3 * pixels);
+    in_parallel(pixels, [&](std::size_t p) {
+      std::array<double, 4> seen{};
+      for (std::size_t i = p * per_pixel; i < (p + 1) * per_pixel; ++i) {
+        if (!s.inside[i]) continue;
+        const std::array<double, 4> light = behind(s, i);
+        for (std::size_t k = 0; k < 4; ++k) seen[k] += s.inscatter[4 * i + k] + light[k] * s.transmittance[4 * i + k];
+      }
+      put(out.rgb, p, rgb(seen.data()), 1 / double(per_pixel));
+    });
+    if (layers) fill_layers(s, out);
+    return out;
+  }
+
+  static void put(std::vector<float>& layer, std::size_t pixel, const std::array<double, 3>& value, double factor) {
+    for (std::size_t c = 0; c < 3; ++c) layer[3 * pixel + c] = float(value[c] * factor);
+  }
+
+  void fill_layers(const Samples& s, SceneRows& out) const {
+    const std::size_t pixels = out.rgb.size() / 3, per_pixel = std::size_t(samples);
+    for (auto* layer : {&out.surface, &out.transmittance, &out.inscatter, &out.position, &out.normal, &out.albedo,
+                        &out.sky_irradiance})
       layer->resize(3 * pixels);
     out.depth.resize(pixels);
     out.sun_visibility.resize(pixels);
     // Albedo as the colour that sunlight outside the air takes on, relative to that of white.
     const std::array<double, 3> white = rgb(irradiance.data());
     in_parallel(pixels, [&](std::size_t p) {
-      std::array<double, 4> seen{}, surface{}, inscatter{}, skylight{}, reflected{};
+      std::array<double, 4> surface{}, inscatter{}, skylight{}, reflected{};
       double through = 0, distance = 0, visible = 0, hits = 0;
       Direction position{}, normal{};
       for (std::size_t i = p * per_pixel; i < (p + 1) * per_pixel; ++i) {
         if (!s.inside[i]) continue;
+        const std::array<double, 4> light = behind(s, i);
         for (std::size_t k = 0; k < 4; ++k) {
-          const double t = s.transmittance[4 * i + k];
-          seen[k] += s.inscatter[4 * i + k] + s.surface[4 * i + k] * t;
-          surface[k] += s.surface[4 * i + k];
+          surface[k] += light[k];
           inscatter[k] += s.inscatter[4 * i + k];
-          skylight[k] += s.skylight[4 * i + k];
-          reflected[k] += s.albedo[4 * i + k] * irradiance[k];
-          through += t / 4;
+          through += s.transmittance[4 * i + k] / 4;
         }
+        if (s.nth_on_ground[i] < 0) continue;
+        const auto n = std::size_t(s.nth_on_ground[i]);
         const TerrainHit& hit = s.hits[i];
-        if (!hit.hit()) continue;
         hits += 1;
         distance += hit.distance;
-        visible += double(s.sun_visibility[i]);
+        visible += double(s.sun_visibility[n]);
+        for (std::size_t k = 0; k < 4; ++k) {
+          skylight[k] += s.skylight[4 * n + k];
+          reflected[k] += s.albedo[4 * n + k] * irradiance[k];
+        }
         for (std::size_t c = 0; c < 3; ++c) {
           position[c] += hit.position[c];
           normal[c] += double(hit.shading_normal[c]);
         }
       }
       const double scale = 1 / double(per_pixel), of_hits = hits > 0 ? 1 / hits : 0;
-      const auto put = [&](std::vector<float>& layer, const std::array<double, 3>& value, double factor) {
-        for (std::size_t c = 0; c < 3; ++c) layer[3 * p + c] = float(value[c] * factor);
-      };
-      put(out.rgb, rgb(seen.data()), scale);
-      put(out.surface, rgb(surface.data()), scale);
-      put(out.inscatter, rgb(inscatter.data()), scale);
+      put(out.surface, p, rgb(surface.data()), scale);
+      put(out.inscatter, p, rgb(inscatter.data()), scale);
       for (std::size_t c = 0; c < 3; ++c) {
         const float leaving = out.surface[3 * p + c];
         out.transmittance[3 * p + c] =
             leaving != 0 ? (out.rgb[3 * p + c] - out.inscatter[3 * p + c]) / leaving : float(through * scale);
       }
-      put(out.sky_irradiance, rgb(skylight.data()), of_hits);
+      put(out.sky_irradiance, p, rgb(skylight.data()), of_hits);
       const auto colours = rgb(reflected.data());
-      put(out.albedo, {colours[0] / white[0], colours[1] / white[1], colours[2] / white[2]}, of_hits);
-      put(out.position, position, of_hits);
-      put(out.normal, hits > 0 ? unit(normal) : Direction{}, 1);
+      put(out.albedo, p, {colours[0] / white[0], colours[1] / white[1], colours[2] / white[2]}, of_hits);
+      put(out.position, p, position, of_hits);
+      put(out.normal, p, hits > 0 ? unit(normal) : Direction{}, 1);
       out.depth[p] = 2 * hits >= double(per_pixel) ? float(distance * of_hits) : std::numeric_limits<float>::infinity();
       out.sun_visibility[p] = float(visible * of_hits);
     });
-    return out;
   }
 };
 
@@ -332,14 +356,15 @@ SceneRenderer::Answer SceneRenderer::at(double u, double v) const { return impl_
 int SceneRenderer::width() const { return impl_->width; }
 const Terrain& SceneRenderer::terrain() const { return impl_->terrain; }
 
-bool SceneRenderer::render(const std::function<bool(const SceneRows&)>& rows) const {
+bool SceneRenderer::render(const std::function<bool(const SceneRows&)>& rows, bool layers) const {
   const Camera& camera = impl_->view.camera.camera;
-  constexpr int samples_at_once =
-      1 << 15;  // few enough that their arrays stay in the cache and are used again, many for all cores
+  constexpr int samples_at_once = 1 << 12;  // their arrays stay in the second cache
   const int step = std::max(1, samples_at_once / (impl_->width * impl_->samples));
+  Impl::Samples samples;
   for (int begin = 0; begin < camera.height; begin += step) {
     const int end = std::min(begin + step, camera.height);
-    if (!rows(impl_->rows(impl_->see_rows(begin, end), begin, end))) return false;
+    impl_->see_rows(begin, end, samples);
+    if (!rows(impl_->rows(samples, begin, end, layers))) return false;
   }
   return true;
 }

@@ -25,7 +25,7 @@ struct SceneOptions {
   bool sun_disc = true;
   double triangle_pixels = 1.5;  ///< wanted side of a triangle
   ShadowGrid shadow_grid;        ///< centred on the eye; its middle is not used
-  int shadow_steps = 40;         ///< points on a view ray where shadows are looked for; fewer where a pixel has several rays
+  int shadow_steps = 40;  ///< points on a view ray where shadows are looked for; fewer where a pixel has several rays
 };
 
 /// Layers of consecutive rows [begin, end): pixel after pixel. Radiance as linear sRGB [cd/m^2].
@@ -64,9 +64,10 @@ class SceneRenderer {
   /// @throws InputError outside a fisheye's circle
   Answer at(double u, double v) const;
 
-  /// @param rows  called with strips from top to bottom, from the calling thread; false stops
-  /// @returns     false when stopped
-  bool render(const std::function<bool(const SceneRows&)>& rows) const;
+  /// @param rows    called with strips from top to bottom, from the calling thread; false stops
+  /// @param layers  false: `rgb` alone, the rest is empty
+  /// @returns       false when stopped
+  bool render(const std::function<bool(const SceneRows&)>& rows, bool layers = true) const;
 
  private:
   struct Impl;

@@ -1,5 +1,6 @@
 // How much of the sky the land leaves free over each place.
 #pragma once
+#include <algorithm>
 #include <vector>
 
 #include "scene/land.h"
@@ -15,6 +16,11 @@ struct SkyViewMap {
 
   /// Bilinear; held constant beyond the edge.
   double at(double east, double north) const;
+  /// Cells to the edge; negative outside.
+  double inside(double east, double north) const {
+    const double x = (east - first_east) / spacing, y = (north - first_north) / spacing;
+    return std::min(std::min(x, cells - 1 - x), std::min(y, cells - 1 - y));
+  }
 };
 
 /// Cosine-weighted fraction, in [0, 1], of the sky that an element of the ground (tilted as it lies) sees: 1 on a

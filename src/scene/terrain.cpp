@@ -26,7 +26,7 @@ Position along(const Position& p, const Direction& d, double t) {
 /// Embree's objects, and the bytes that they take.
 class RayTree {
  public:
-  RayTree(TileMesh& mesh, std::size_t tiles) {
+  RayTree(TileMesh& mesh, std::size_t tiles, bool draft) {
     device_ = rtcNewDevice(nullptr);
     if (!device_) throw WorkError("Embree does not start: error " + std::to_string(int(rtcGetDeviceError(nullptr))));
     rtcSetDeviceMemoryMonitorFunction(
@@ -39,7 +39,7 @@ class RayTree {
     scene_ = rtcNewScene(device_);
     // Robust: rays through an edge of two triangles hit one of them. Compact: half the memory at a tenth of the time.
     rtcSetSceneFlags(scene_, RTCSceneFlags(RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_COMPACT));
-    rtcSetSceneBuildQuality(scene_, RTC_BUILD_QUALITY_MEDIUM);
+    rtcSetSceneBuildQuality(scene_, draft ? RTC_BUILD_QUALITY_LOW : RTC_BUILD_QUALITY_MEDIUM);
     const RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_GRID);
     rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, mesh.vertices().data(), 0,
                                sizeof mesh.vertices()[0], mesh.vertices().size() - 1);
@@ -86,7 +86,7 @@ struct Terrain::Impl {
         tree(*land, detail, draft),
         centre(below(detail.eye)),
         mesh(*land, tree, centre),
-        rays(mesh, tree.leaves().size()),
+        rays(mesh, tree.leaves().size(), !draft),
         plain(land->plain_altitude()),
         highest(land->highest()) {}
 
@@ -147,7 +147,7 @@ struct Terrain::Impl {
     hit.shading_normal = mesh.normal(grid, (hit.ground.east - tree.metres(tile.x)) / cell,
                                      (hit.ground.north - tree.metres(tile.y)) / cell);
     const double level = hit.shading_normal[0] * up[0] + hit.shading_normal[1] * up[1] + hit.shading_normal[2] * up[2];
-    hit.slope = float(std::acos(std::clamp(level, -1.0, 1.0)));
+    hit.slope = std::acos(std::clamp(float(level), -1.0f, 1.0f));
   }
 
   void hits(std::span<const SceneRay> asked, std::span<TerrainHit> answers) const {
@@ -232,10 +232,11 @@ struct Terrain::Impl {
       else
         for (double& x : up[i]) x /= length;
     }
+    const double half_disc = std::tan(radius);
     const auto sees = [&](const double(&height)[packet], const int(&asked)[packet], int(&free)[packet]) {
       Direction towards[packet];
       for (int i = 0; i < packet; ++i) {
-        towards[i] = along(sun, up[i], std::tan(height[i] * radius));
+        towards[i] = along(sun, up[i], height[i] * half_disc);
         const double length = std::sqrt(dot(towards[i], towards[i]));
         for (double& x : towards[i]) x /= length;
         free[i] = asked[i];
@@ -286,7 +287,7 @@ void in_packets(std::size_t count, const Work& work) {
   });
 }
 
-constexpr double draft_pixels = 12;
+constexpr double draft_pixels = 16;
 
 /// Foreshortening of a tree's leaves, from the number of rays that meet them; those beside a leaf that is met count as hardly
 /// seen, since the draft's ridges are not quite the final ones.

@@ -24,11 +24,19 @@ inline void check(bool good, const char* what, double value, const char* range) 
 inline void check_altitude(double altitude, double ground_radius, const Nth& what) {
   check(altitude > -0.9 * ground_radius && altitude <= 1e12, what, altitude, "-0.9 ground radii .. 1e12 m");
 }
-/// @returns  the vector at length 1
+inline double squared_length(const Direction& d) { return d[0] * d[0] + d[1] * d[1] + d[2] * d[2]; }
+inline void check_unit(const Direction& d, const Nth& what) {
+  const double n2 = squared_length(d);
+  if (!(std::abs(n2 - 1) < 2e-3)) check(false, what, std::sqrt(n2), "a unit vector: length 1 within 0.001");
+}
+/// The vector at length 1.
+inline Direction unit(const Direction& d) {
+  const double scale = 1 / std::sqrt(squared_length(d));
+  return {d[0] * scale, d[1] * scale, d[2] * scale};
+}
 inline Direction checked_unit(const Direction& d, const Nth& what) {
-  const double n = std::sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
-  check(std::abs(n - 1) < 1e-3, what, n, "a unit vector: length 1 within 0.001");
-  return {d[0] / n, d[1] / n, d[2] / n};
+  check_unit(d, what);
+  return unit(d);
 }
 
 }  // namespace airlight

@@ -54,7 +54,8 @@ void Sky::Impl::haze(double altitude, const Direction& sun, std::span<const Sigh
   std::vector<double> sights(4 * shape.texels()), offsets(sights.size());
   for (std::size_t i = 0; i < shape.texels(); ++i) {
     const Sight& p = points[std::min(i, points.size() - 1)];
-    set_texel(sights, i, p.view[0], p.view[1], p.view[2], std::min(p.distance, 1e15));
+    const Direction view = unit(p.view);
+    set_texel(sights, i, view[0], view[1], view[2], std::min(p.distance, 1e15));
     set_texel(offsets, i, p.offset, 0, 0, 0);
   }
   const Table sight_table = engine->lend(shape, sights), offset_table = engine->lend(shape, offsets);
@@ -152,7 +153,7 @@ void Sky::Impl::march_haze(double altitude, const Direction& sun, std::span<cons
   std::vector<std::size_t> which;
   for (const Sight& p : points) {
     which.push_back(rays.size());
-    rays.push_back({altitude, p.view, sun, p.distance});
+    rays.push_back({altitude, unit(p.view), sun, p.distance});
   }
   const auto into = [&](std::span<double> out) {
     return [&wavelengths, out](std::size_t ray, std::size_t w, double value) {
@@ -171,14 +172,13 @@ void Sky::haze(double altitude, Direction sun, std::span<const Sight> points, st
   check(inscatter.size() == expected, "size of inscatter", double(inscatter.size()), "points times wavelengths");
   check(transmittance.size() == expected, "size of transmittance", double(transmittance.size()),
         "points times wavelengths");
-  std::vector<Sight> checked(points.begin(), points.end());
-  for (std::size_t i = 0; i < checked.size(); ++i) {
-    check(checked[i].distance >= 0, {"point", "distance", i}, checked[i].distance, "at least 0 m");
-    check(checked[i].offset >= 0 && checked[i].offset < 1, {"point", "offset", i}, checked[i].offset, "0 .. 1");
-    checked[i].view = checked_unit(checked[i].view, {"point", "view", i});
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    check(points[i].distance >= 0, {"point", "distance", i}, points[i].distance, "at least 0 m");
+    check(points[i].offset >= 0 && points[i].offset < 1, {"point", "offset", i}, points[i].offset, "0 .. 1");
+    check_unit(points[i].view, {"point", "view", i});
   }
   if (points.empty() || wavelengths.empty()) return;
-  impl_->haze(altitude, to_sun, checked, wavelengths, shadows, inscatter, transmittance);
+  impl_->haze(altitude, to_sun, points, wavelengths, shadows, inscatter, transmittance);
 }
 
 void Sky::surface(std::span<const SurfacePoint> points, double sun_zenith_cosine, std::span<const double> wavelengths,
@@ -192,7 +192,7 @@ void Sky::surface(std::span<const SurfacePoint> points, double sun_zenith_cosine
   for (std::size_t i = 0; i < points.size(); ++i) {
     const SurfacePoint& p = points[i];
     check_altitude(p.altitude, impl_->atmosphere.planet.ground_radius, {"point", "altitude", i});
-    checked_unit(p.normal, {"point", "normal", i});
+    check_unit(p.normal, {"point", "normal", i});
     check(std::abs(p.sun_zenith_cosine) <= 1, {"point", "sun_zenith_cosine", i}, p.sun_zenith_cosine, "-1 .. 1");
     check(std::abs(p.sun_cosine) <= 1, {"point", "sun_cosine", i}, p.sun_cosine, "-1 .. 1");
     check(p.sun_visibility >= 0 && p.sun_visibility <= 1, {"point", "sun_visibility", i}, p.sun_visibility, "0 .. 1");
