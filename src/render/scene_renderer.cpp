@@ -34,7 +34,7 @@ int checked_samples(int samples) {
 
 template <class Work>
 void in_parallel(std::size_t count, const Work& work) {
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 1024), [&](const auto& range) {
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 2048), [&](const auto& range) {
     for (std::size_t i = range.begin(); i < range.end(); ++i) work(i);
   });
 }
@@ -358,7 +358,7 @@ const Terrain& SceneRenderer::terrain() const { return impl_->terrain; }
 
 bool SceneRenderer::render(const std::function<bool(const SceneRows&)>& rows, bool layers) const {
   const Camera& camera = impl_->view.camera.camera;
-  constexpr int samples_at_once = 1 << 12;  // their arrays stay in the second cache
+  constexpr int samples_at_once = 1 << 13;  // their arrays stay in the second cache
   const int step = std::max(1, samples_at_once / (impl_->width * impl_->samples));
   Impl::Samples samples;
   for (int begin = 0; begin < camera.height; begin += step) {

@@ -11,8 +11,6 @@ namespace {
 using Vertex = std::array<float, 3>;
 constexpr int cells = TileTree::tile_cells;
 
-double sign(double x) { return x < 0 ? -1 : 1; }
-
 class Builder {
  public:
   Builder(const Land& land, const TileTree& tree, const Position& centre) : land_(land), tree_(tree), centre_(centre) {
@@ -20,7 +18,7 @@ class Builder {
     border_lift_ = tree.cell(0) * tree.cell(0) / (8 * land.frame().radius());
   }
 
-  void build(const Tile& tile, Vertex* vertices, std::uint32_t* normals) const {
+  void build(const Tile& tile, Vertex* vertices, std::array<float, 3>* normals) const {
     // With one more vertex all around, whose heights the slopes at the edge need.
     const std::int32_t step = TileTree::span(tile.level);
     std::array<double, 2> places[side * side];
@@ -39,7 +37,7 @@ class Builder {
     }
     for (int j = 0; j <= cells; ++j) {
       for (int i = 0; i <= cells; ++i) {
-        *normals++ = pack_normal(normal(own[j + 1][i], own[j + 1][i + 2], own[j][i + 1], own[j + 2][i + 1]));
+        *normals++ = rounded(normal(own[j + 1][i], own[j + 1][i + 2], own[j][i + 1], own[j + 2][i + 1]));
       }
     }
     meet_neighbours(tile, vertices);
@@ -128,30 +126,6 @@ class Builder {
 
 }  // namespace
 
-std::uint32_t pack_normal(const std::array<double, 3>& n) {
-  const double scale = 1 / (std::abs(n[0]) + std::abs(n[1]) + std::abs(n[2]));
-  double x = n[0] * scale, y = n[1] * scale;
-  if (n[2] < 0) {
-    const double folded = (1 - std::abs(y)) * sign(x);
-    y = (1 - std::abs(x)) * sign(y);
-    x = folded;
-  }
-  const auto bits = [](double v) { return static_cast<std::uint32_t>(std::lround((v + 1) * 32767)); };
-  return bits(x) | bits(y) << 16;
-}
-
-std::array<float, 3> unpack_normal(std::uint32_t packed) {
-  float x = float(packed & 0xFFFFu) * (1 / 32767.0f) - 1, y = float(packed >> 16) * (1 / 32767.0f) - 1;
-  const float z = 1 - std::abs(x) - std::abs(y);
-  if (z < 0) {
-    const float folded = (1 - std::abs(y)) * (x < 0 ? -1.0f : 1.0f);
-    y = (1 - std::abs(x)) * (y < 0 ? -1.0f : 1.0f);
-    x = folded;
-  }
-  const float scale = 1 / std::sqrt(x * x + y * y + z * z);
-  return {x * scale, y * scale, z * scale};
-}
-
 TileMesh::TileMesh(const Land& land, const TileTree& tree, const Position& centre) {
   const auto& leaves = tree.leaves();
   constexpr std::size_t grid = grid_side * grid_side, plane = normal_side * normal_side;
@@ -166,12 +140,11 @@ std::array<float, 3> TileMesh::normal(std::size_t tile, double x, double y) cons
   x = std::clamp(x, 0.0, double(cells)), y = std::clamp(y, 0.0, double(cells));
   const int i = std::min(int(x), cells - 1), j = std::min(int(y), cells - 1);
   const float fx = float(x - i), fy = float(y - j);
-  const std::uint32_t* n = &normals_[tile * normal_side * normal_side + std::size_t(j * normal_side + i)];
-  const auto a = unpack_normal(n[0]), b = unpack_normal(n[1]), c = unpack_normal(n[normal_side]),
-             d = unpack_normal(n[normal_side + 1]);
+  const std::array<float, 3>* n = &normals_[tile * normal_side * normal_side + std::size_t(j * normal_side + i)];
   std::array<float, 3> sum;
   for (std::size_t k = 0; k < 3; ++k)
-    sum[k] = (a[k] * (1 - fx) + b[k] * fx) * (1 - fy) + (c[k] * (1 - fx) + d[k] * fx) * fy;
+    sum[k] = (n[0][k] * (1 - fx) + n[1][k] * fx) * (1 - fy) +
+             (n[normal_side][k] * (1 - fx) + n[normal_side + 1][k] * fx) * fy;
   const float scale = 1 / std::sqrt(sum[0] * sum[0] + sum[1] * sum[1] + sum[2] * sum[2]);
   return {sum[0] * scale, sum[1] * scale, sum[2] * scale};
 }

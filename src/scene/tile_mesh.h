@@ -1,16 +1,11 @@
 // Vertices and normals of all tiles, without cracks between tiles of different finesse.
 #pragma once
 #include <array>
-#include <cstdint>
 #include <vector>
 
 #include "scene/tile_tree.h"
 
 namespace airlight {
-
-/// A unit vector in 32 bits: the octahedron's map of the sphere (Cigolla et al. 2014, jcgt.org 3(2)), good to 0.004 degrees.
-std::uint32_t pack_normal(const std::array<double, 3>& n);
-std::array<float, 3> unpack_normal(std::uint32_t packed);
 
 /// Each tile is a grid of grid_side x grid_side vertices: its cells, and one cell more all around that leans out and down
 /// under the neighbours (a flange), so that no ray slips between two tiles whose edges differ by a rounding.
@@ -32,7 +27,7 @@ class TileMesh {
 
  private:
   std::vector<std::array<float, 3>> vertices_;
-  std::vector<std::uint32_t> normals_;
+  std::vector<std::array<float, 3>> normals_;
 };
 
 }  // namespace airlight

@@ -19,6 +19,24 @@ void check_shadows(const AirShadows& shadows) {
     check(std::isfinite(edge), "an altitude of the shadow map", edge, "a finite number of metres");
 }
 
+/// A table that holds as many questions, or a few more: those repeat the last.
+Shape shape_for(std::size_t questions) {
+  constexpr std::size_t widest = 16384;  // what every graphics card takes
+  const std::size_t rows = (questions + widest - 1) / widest;
+  return {int((questions + rows - 1) / rows), int(rows), 1};
+}
+
+/// Copies four wavelengths' answers, from the w-th on, into questions x wavelengths.
+void copy_out(Engine& engine, const Table& table, std::size_t w, std::size_t wavelengths, std::span<double> out) {
+  if (out.empty()) return;
+  if (wavelengths == 4 && out.size() == 4 * table.shape.texels()) return engine.read(table, out);
+  std::vector<double> texels(4 * table.shape.texels());
+  engine.read(table, texels);
+  for (std::size_t i = 0; i < out.size() / wavelengths; ++i) {
+    for (std::size_t k = 0; k < 4 && w + k < wavelengths; ++k) out[i * wavelengths + w + k] = texels[4 * i + k];
+  }
+}
+
 }  // namespace
 
 const Table& Sky::Impl::cast(const AirShadows& shadows, double datum) {
@@ -49,8 +67,7 @@ void Sky::Impl::haze(double altitude, const Direction& sun, std::span<const Sigh
     march_haze(altitude, sun, points, wavelengths, inscatter, transmittance);
     return;
   }
-  const int count = int(points.size()), width = std::min(count, 1024), height = (count + width - 1) / width;
-  const Shape shape{width, height, 1};
+  const Shape shape = shape_for(points.size());
   std::vector<double> sights(4 * shape.texels()), offsets(sights.size());
   for (std::size_t i = 0; i < shape.texels(); ++i) {
     const Sight& p = points[std::min(i, points.size() - 1)];
@@ -62,7 +79,6 @@ void Sky::Impl::haze(double altitude, const Direction& sun, std::span<const Sigh
   const double datum = datum_for(altitude);
   const Table shadow_map = shadows ? cast(*shadows, datum) : engine->upload({2, 2, 1}, std::vector<double>(16, 0.0));
   const AirShadows map = shadows ? *shadows : AirShadows{};
-  std::vector<double> texels(4 * shape.texels());
   for (std::size_t w = 0; w < wavelengths.size(); w += 4) {
     Binder b = binder(*model, quad_at(wavelengths, w), altitude);
     b.set("observer", observer_fields(sun, s.altitude));
@@ -74,21 +90,15 @@ void Sky::Impl::haze(double altitude, const Direction& sun, std::span<const Sigh
     b.set("points", sight_table);
     b.set("offsets", offset_table);
     const std::vector<Table> answers = b.run_once(pass, shape);
-    for (const std::span<double> out : {inscatter, transmittance}) {
-      engine->read(answers[out.data() == inscatter.data() ? 0 : 1], texels);
-      for (std::size_t i = 0; i < points.size(); ++i) {
-        for (std::size_t k = 0; k < 4 && w + k < wavelengths.size(); ++k)
-          out[i * wavelengths.size() + w + k] = texels[4 * i + k];
-      }
-    }
+    copy_out(*engine, answers[0], w, wavelengths.size(), inscatter);
+    copy_out(*engine, answers[1], w, wavelengths.size(), transmittance);
   }
 }
 
 void Sky::Impl::surface(std::span<const SurfacePoint> points, double sun_zenith_cosine,
                         std::span<const double> wavelengths, std::span<const double> albedo, std::span<double> radiance,
                         std::span<double> skylight) {
-  const int count = int(points.size()), width = std::min(count, 1024), height = (count + width - 1) / width;
-  const Shape shape{width, height, 1};
+  const Shape shape = shape_for(points.size());
   std::vector<double> places(4 * shape.texels()), normals(places.size());
   for (std::size_t i = 0; i < shape.texels(); ++i) {
     const SurfacePoint& p = points[std::min(i, points.size() - 1)];
@@ -112,7 +122,7 @@ void Sky::Impl::surface(std::span<const SurfacePoint> points, double sun_zenith_
     set_texel(sun_rows, std::size_t(i), 1e15, std::sqrt(1 - mu_s * mu_s), 0, mu_s);
   }
   const Shape rows{1, altitudes * suns, 1};
-  std::vector<double> colours(4 * shape.texels()), texels(colours.size());
+  std::vector<double> colours;
   const std::size_t W = wavelengths.size();
   for (std::size_t w = 0; w < W; w += 4) {
     Binder b = binder(*model, quad_at(wavelengths, w), 0);
@@ -127,21 +137,19 @@ void Sky::Impl::surface(std::span<const SurfacePoint> points, double sun_zenith_
     b.set("suns", engine->upload(rows, sun_rows));
     b.set("sky_light", b.run(model->sky_light, {256, altitudes * suns, 1})[0]);
     b.set("skylight", b.run("core.skylight", {azimuths, tilts * altitudes, suns})[0]);
-    for (std::size_t i = 0; i < shape.texels(); ++i) {
-      for (std::size_t k = 0; k < 4; ++k)
-        colours[4 * i + k] = albedo[std::min(i, points.size() - 1) * W + std::min(w + k, W - 1)];
+    if (W != 4 || points.size() != shape.texels()) {
+      colours.resize(4 * shape.texels());
+      for (std::size_t i = 0; i < shape.texels(); ++i) {
+        for (std::size_t k = 0; k < 4; ++k)
+          colours[4 * i + k] = albedo[std::min(i, points.size() - 1) * W + std::min(w + k, W - 1)];
+      }
     }
     b.set("places", place_table);
     b.set("normals", normal_table);
-    b.set("albedos", engine->lend(shape, colours));
+    b.set("albedos", engine->lend(shape, colours.empty() ? albedo : colours));
     const std::vector<Table> answers = b.run_once("core.surface", shape);
-    for (const auto& [table, out] : {std::pair{answers[0], radiance}, std::pair{answers[1], skylight}}) {
-      if (out.empty()) continue;
-      engine->read(table, texels);
-      for (std::size_t i = 0; i < points.size(); ++i) {
-        for (std::size_t k = 0; k < 4 && w + k < W; ++k) out[i * W + w + k] = texels[4 * i + k];
-      }
-    }
+    copy_out(*engine, answers[0], w, W, radiance);
+    copy_out(*engine, answers[1], w, W, skylight);
   }
 }
 
