@@ -10,7 +10,7 @@ namespace airlight {
 struct ShadowGrid {
   double east = 0, north = 0;  ///< its middle, straight (not along the sphere) in the scene's frame [m]
   double half_width = 40'000;  ///< [m]
-  int cells = 1024;            ///< along a side
+  int cells = 768;             ///< along a side
 };
 
 /// Rays to the sun are parallel, so the map lies in straight axes of the scene's frame, `along` pointing to the sun's

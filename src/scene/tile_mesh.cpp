@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <compare>
+#include <tuple>
 
 namespace airlight {
 namespace {
@@ -64,16 +66,52 @@ class Builder {
     return {n[0] / length, n[1] / length, n[2] / length};
   }
 
+  /// Altitudes at lattice points of coarser tiles. Land is asked for many places at once, so each edge is walked twice: the first
+  /// time only notes what it needs.
+  struct Coarse {
+    struct Place {
+      int level;
+      std::int32_t x, y;
+      double altitude;
+      auto operator<=>(const Place& o) const { return std::tie(level, x, y) <=> std::tie(o.level, o.x, o.y); }
+      bool operator==(const Place& o) const { return (*this <=> o) == 0; }
+    };
+    std::vector<Place> places;
+    bool known = false;
+
+    double altitude(int level, std::int32_t x, std::int32_t y) {
+      const Place place{level, x, y, 0};
+      if (known) return std::lower_bound(places.begin(), places.end(), place)->altitude;
+      places.push_back(place);
+      return 0;
+    }
+  };
+
+  void find(Coarse& coarse) const {
+    auto& places = coarse.places;
+    std::sort(places.begin(), places.end());
+    places.erase(std::unique(places.begin(), places.end()), places.end());
+    std::vector<std::array<double, 2>> at;
+    std::vector<double> altitudes;
+    for (std::size_t begin = 0, end = 0; begin < places.size(); begin = end) {
+      at.clear();
+      for (; end < places.size() && places[end].level == places[begin].level; ++end)
+        at.push_back({tree_.metres(places[end].x), tree_.metres(places[end].y)});
+      altitudes.resize(at.size());
+      land_.altitudes(at, tree_.cell(places[begin].level), altitudes);
+      for (std::size_t i = 0; i < at.size(); ++i) places[begin + i].altitude = altitudes[i];
+    }
+    coarse.known = true;
+  }
+
   /// The vertex as the coarsest tile there has it. All tiles that touch it come to the same bits.
-  Vertex shared(std::int32_t x, std::int32_t y) const {
+  Vertex shared(std::int32_t x, std::int32_t y, Coarse& coarse) const {
     const int level = tree_.coarsest_at(x, y);
     const std::int32_t step = TileTree::span(level), dx = x % step, dy = y % step;
-    if (dx == 0 && dy == 0) {
-      return rounded(placed(x, y, land_.altitude(tree_.metres(x), tree_.metres(y), tree_.cell(level))));
-    }
+    if (dx == 0 && dy == 0) return rounded(placed(x, y, coarse.altitude(level, x, y)));
     // On an edge of the coarse tile, between two of its vertices.
-    const Vertex a = dx ? shared(x - dx, y) : shared(x, y - dy),
-                 b = dx ? shared(x - dx + step, y) : shared(x, y - dy + step);
+    const Vertex a = dx ? shared(x - dx, y, coarse) : shared(x, y - dy, coarse),
+                 b = dx ? shared(x - dx + step, y, coarse) : shared(x, y - dy + step, coarse);
     const float t = float(dx ? dx : dy) / float(step);
     return {a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1]), a[2] + t * (b[2] - a[2])};
   }
@@ -84,19 +122,27 @@ class Builder {
     const auto coarser = [&](std::int32_t x, std::int32_t y) { return tree_.level_at(x, y) < tile.level; };
     const bool west = coarser(tile.x - 1, tile.y), east = coarser(tile.x + width, tile.y);
     const bool south = coarser(tile.x, tile.y - 1), north = coarser(tile.x, tile.y + width);
+    const bool south_west = west || south || coarser(tile.x - 1, tile.y - 1);
+    const bool south_east = east || south || coarser(tile.x + width, tile.y - 1);
+    const bool north_west = west || north || coarser(tile.x - 1, tile.y + width);
+    const bool north_east = east || north || coarser(tile.x + width, tile.y + width);
+    Coarse coarse;
     const auto put = [&](int i, int j) {
-      vertices[(j + 1) * side + i + 1] = shared(tile.x + i * step, tile.y + j * step);
+      vertices[(j + 1) * side + i + 1] = shared(tile.x + i * step, tile.y + j * step, coarse);
     };
-    for (int k = 1; k < cells; ++k) {
-      if (west) put(0, k);
-      if (east) put(cells, k);
-      if (south) put(k, 0);
-      if (north) put(k, cells);
+    for (int walk = 0; walk < 2; ++walk) {
+      if (walk == 1) find(coarse);
+      for (int k = 1; k < cells; ++k) {
+        if (west) put(0, k);
+        if (east) put(cells, k);
+        if (south) put(k, 0);
+        if (north) put(k, cells);
+      }
+      if (south_west) put(0, 0);
+      if (south_east) put(cells, 0);
+      if (north_west) put(0, cells);
+      if (north_east) put(cells, cells);
     }
-    if (west || south || coarser(tile.x - 1, tile.y - 1)) put(0, 0);
-    if (east || south || coarser(tile.x + width, tile.y - 1)) put(cells, 0);
-    if (west || north || coarser(tile.x - 1, tile.y + width)) put(0, cells);
-    if (east || north || coarser(tile.x + width, tile.y + width)) put(cells, cells);
   }
 
   /// From each vertex of the edge a hundredth of a cell outward and a fifth of one down.
