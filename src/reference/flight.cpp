@@ -25,9 +25,15 @@ double sum(std::span<const double> hero_coefficients, std::size_t heroes, std::s
 
 }  // namespace
 
-void Flight::aim(const Layers& layers, const Optics& optics, const Guide& guide, const Place& from, const Vector& sun,
-                 double ground_radius, double distance, bool scattered_only, bool count_ground) {
-  layers.trace(from.position, from.direction, ground_radius, distance, line_);
+void Flight::aim(const Layers& layers, const Optics& optics, const Guide& guide, const Surface* surface,
+                 const Place& from, const Vector& sun, double ground_radius, double distance, bool scattered_only,
+                 bool count_ground) {
+  distance_ = distance;
+  solid_.reset();
+  if (surface) solid_ = surface->hit(from, distance);
+  layers.trace(from.position, from.direction, ground_radius, solid_ ? solid_->distance : distance, line_);
+  if (line_.meets_ground || line_.borders.empty()) solid_.reset();
+  if (solid_) line_.meets_ground = true;
   const std::size_t heroes = optics.heroes, count = optics.constituents;
   group();
   const std::size_t pieces = ends_.size() - 1;
@@ -75,22 +81,41 @@ void Flight::aim(const Layers& layers, const Optics& optics, const Guide& guide,
             light.scattered + (scattered_only ? 0 : (light.all - light.scattered) * towards_sun / scattering));
     }
   }
-  if (line_.meets_ground && count_ground && optics.hero_albedo[0] > 0) {
-    const Guide::Light light = guide.ground(sun_cosine(line_.borders.back(), ground_radius * ground_radius));
+  if (line_.meets_ground && count_ground && (solid_ || optics.hero_albedo[0] > 0)) {
+    const double t = line_.borders.back(), radius_squared = line_.impact_squared + t * t;
+    const double cosine = sun_cosine(t, radius_squared);
+    const Guide::Light light = solid_ ? guide.air(radius_squared, cosine) : guide.ground(cosine);
     for (std::size_t g = 0; g < heroes; ++g)
       add(g * stride_ + pieces, transmittance[g], scattered_only ? light.scattered : light.all);
   }
   if (all_analog <= 0) return;
   // A tenth of all walks goes where air scatters, whatever the guide says: no weight is more than ten times too large.
   const double unguided = all_guided > 0 ? 0.1 * all_guided / all_analog : 1;
-  for (std::size_t g = 0; g < heroes; ++g) {
-    double& sum = light_[g];
-    for (std::size_t i = g * stride_; i <= g * stride_ + pieces; ++i) {
-      guide_[i] += unguided;
+  for (double& light : guide_) light += unguided;
+  add_up();
+}
+
+void Flight::add_up() {
+  for (std::size_t g = 0; g < light_.size(); ++g) {
+    double sum = 0;
+    for (std::size_t i = g * stride_; i + 1 < (g + 1) * stride_; ++i) {
       sum += analog_[i] * guide_[i];
       sums_[i + 1] = sum;
     }
+    light_[g] = sum;
   }
+}
+
+void Flight::give_each_a_share(double least) {
+  for (std::size_t g = 0; g < light_.size(); ++g) {
+    const std::size_t ground = (g + 1) * stride_ - 2;
+    const double from_ground = analog_[ground] * guide_[ground], from_air = light_[g] - from_ground;
+    if (from_ground <= 0 || from_air <= 0) continue;
+    if (from_ground < least * from_air) guide_[ground] *= least * from_air / from_ground;
+    if (from_air < least * from_ground)
+      for (std::size_t i = g * stride_; i < ground; ++i) guide_[i] *= least * from_ground / from_air;
+  }
+  add_up();
 }
 
 /// Joins the line's short stretches: what the guide knows does not change from one to the next.

@@ -6,27 +6,32 @@
 #include "reference/guide.h"
 #include "reference/layers.h"
 #include "reference/optics.h"
+#include "reference/surface.h"
 
 namespace airlight::reference {
-
-/// Where a walk is, and where it looks.
-struct Place {
-  Vector position;   ///< [m] from the planet's centre
-  Vector direction;  ///< unit
-};
 
 /// Draws the next place along a line with a density proportional to transmittance * scattering * the guide's light,
 /// mixed over the heroes, with a share that knows no guide. The density is known exactly: weights are never estimates,
 /// and where neither guide nor colours differ they do not change from place to place, which long walks need.
 class Flight {
  public:
+  /// @param surface         in the line's way; none: the planet's sphere alone
   /// @param sun             unit, towards its centre
   /// @param scattered_only  the light looked for is that scattered before
   /// @param count_ground    the walk may go on at the ground
-  void aim(const Layers& layers, const Optics& optics, const Guide& guide, const Place& from, const Vector& sun,
-           double ground_radius, double distance, bool scattered_only, bool count_ground);
+  void aim(const Layers& layers, const Optics& optics, const Guide& guide, const Surface* surface, const Place& from,
+           const Vector& sun, double ground_radius, double distance, bool scattered_only, bool count_ground);
+
+  /// Sees to it that neither the air nor the ground has less than this share of the chance: what sends little light and
+  /// were met by one walk in thousands would be missing from a standard error. For lines that walks begin with: in long
+  /// walks the weights would drift apart.
+  void give_each_a_share(double least);
 
   const Line& line() const { return line_; }
+  /// Where the line meets the surface, if its end lies on that.
+  const std::optional<Surface::Hit>& solid() const { return solid_; }
+  /// Distance [m] from the line's start to its end; infinite: space.
+  double reach() const { return line_.meets_ground ? line_.borders.back() - line_.start : distance_; }
   /// The light to be found along the line, for each hero, as the guide thinks.
   std::span<const double> light() const { return light_; }
 
@@ -47,10 +52,13 @@ class Flight {
 
  private:
   void group();
+  void add_up();
   void find(const Layers& layers, const Optics& optics, std::size_t hero, std::size_t piece, double depth,
             Event& event) const;
 
   Line line_;
+  std::optional<Surface::Hit> solid_;
+  double distance_ = 0;            // asked for
   std::vector<std::size_t> ends_;  // of pieces, as borders of the line; the first is 0
   // A row for each hero, a place for each piece and the last for the ground.
   std::size_t stride_ = 0;      // places in a row, and one more

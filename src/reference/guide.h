@@ -1,9 +1,11 @@
 // A rough, cheap estimate of the light everywhere, by which random walks find where light comes from.
 #pragma once
+#include <optional>
 #include <vector>
 
 #include "reference/layers.h"
 #include "reference/optics.h"
+#include "reference/sky_bins.h"
 
 namespace airlight::reference {
 
@@ -22,13 +24,18 @@ class Guide {
   Light air(double radius_squared, double sun_cosine) const;
   /// Radiance of the ground; scattered: what skylight adds.
   Light ground(double sun_cosine) const;
+  /// Directions from which light comes to a place; none where nothing is known of them.
+  std::optional<SkyAround> around(const Vector& position, const Vector& sun) const;
 
  private:
   static constexpr int altitudes = 25, suns = 65;
+  double horizon(int altitude) const;
+  double radius(int altitude) const;
   void estimate(const Layers& layers, const Optics& optics);
 
   double planet_radius_, thickness_;
   std::vector<Light> air_, ground_;
+  std::vector<SkyChances> chances_;  // on the same grid
 };
 
 }  // namespace airlight::reference

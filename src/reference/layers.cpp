@@ -19,7 +19,7 @@ Layers::Layers(const Atmosphere& atmosphere)
   scales_.push_back({0, 0});
   for (const Constituent& constituent : atmosphere.constituents) {
     tolerances.push_back(precision * top * mean_density(constituent.profile, 0, top));
-    parabolas_.push_back({density(constituent.profile, 0), 0, 0});
+    cubics_.push_back({density(constituent.profile, 0), 0, 0, 0});
   }
   for (std::size_t i = 1; i < edges.size(); ++i) add_layers(atmosphere, edges[i - 1], edges[i], tolerances, 0);
 }
@@ -34,23 +34,28 @@ void Layers::add_layers(const Atmosphere& atmosphere, double bottom, double top,
     return bottom + rise / (planet_radius_ + bottom + std::sqrt(low + rise));
   };
   // Short lines in thin air need a local precision too, down to air that holds nothing.
-  constexpr double relative = 3e-4, negligible = 1e-2;
-  // Through the three Chebyshev points, whose error is nearly the smallest of all parabolas.
-  const double node = 0.5 * std::numbers::sqrt3;
-  std::vector<Parabola> parabolas;
+  constexpr double relative = 2e-5, negligible = 1e-2;
+  // Through the four Chebyshev points, whose error is nearly the smallest of all cubics.
+  const double outer = std::cos(std::numbers::pi / 8), inner = std::sin(std::numbers::pi / 8);
+  std::vector<Cubic> cubics;
   bool good = true;
   for (std::size_t c = 0; c < atmosphere.constituents.size() && good; ++c) {
     const Profile& profile = atmosphere.constituents[c].profile;
-    const double below = density(profile, altitude(-node)), middle = density(profile, altitude(0)),
-                 above = density(profile, altitude(node));
-    const Parabola p{middle, (above - below) / (2 * node), (0.5 * (above + below) - middle) / (node * node)};
+    const double first = density(profile, altitude(-outer)), second = density(profile, altitude(-inner)),
+                 third = density(profile, altitude(inner)), fourth = density(profile, altitude(outer));
+    // Chebyshev's coefficients: cos(k pi / 8) of odd k are +-outer and +-inner.
+    const double middle = 0.25 * (first + second + third + fourth),
+                 slope = 0.5 * (outer * (fourth - first) + inner * (third - second)),
+                 bend = 0.5 * std::numbers::sqrt2 / 2 * (first - second - third + fourth),
+                 twist = 0.5 * (inner * (fourth - first) - outer * (third - second));
+    const Cubic p{middle - bend, slope - 3 * twist, 2 * bend, 4 * twist};
     for (const double x : {-0.999999, -0.97, -0.5, -0.2, 0.2, 0.5, 0.97, 0.999999}) {
-      const double value = p.constant + x * (p.linear + x * p.square);
+      const double value = p.at(x);
       const double error = std::abs(value - density(profile, altitude(x))), weight = error * (top - bottom);
       const bool matters = weight > tolerances[c] || (error > relative * middle && weight > negligible * tolerances[c]);
       good = good && !matters;
     }
-    parabolas.push_back(p);
+    cubics.push_back(p);
   }
   constexpr int deepest = 16;  // a density without bounded slope: stop at 2 m of 120 km
   if (!good && depth < deepest) {
@@ -59,13 +64,13 @@ void Layers::add_layers(const Atmosphere& atmosphere, double bottom, double top,
     return;
   }
   if (!good) {
-    parabolas.clear();
+    cubics.clear();
     for (const Constituent& constituent : atmosphere.constituents)
-      parabolas.push_back({mean_density(constituent.profile, bottom, top), 0, 0});
+      cubics.push_back({mean_density(constituent.profile, bottom, top), 0, 0, 0});
   }
   tops_.push_back(high);
   scales_.push_back({0.5 * (low + high), 2 / (high - low)});
-  parabolas_.insert(parabolas_.end(), parabolas.begin(), parabolas.end());
+  cubics_.insert(cubics_.end(), cubics.begin(), cubics.end());
 }
 
 int Layers::layer_at(double radius_squared) const {
@@ -74,20 +79,20 @@ int Layers::layer_at(double radius_squared) const {
 
 void Layers::densities(int layer, double radius_squared, std::span<double> densities) const {
   const double x = (radius_squared - scales_[layer].middle) * scales_[layer].scale;
-  const Parabola* const p = &parabolas_[std::size_t(layer) * constituents_];
-  for (int c = 0; c < constituents_; ++c)
-    densities[c] = std::max(p[c].constant + x * (p[c].linear + x * p[c].square), 0.0);
+  const Cubic* const p = &cubics_[std::size_t(layer) * constituents_];
+  for (int c = 0; c < constituents_; ++c) densities[c] = std::max(p[c].at(x), 0.0);
 }
 
 void Layers::add_columns(int layer, double impact_squared, double from, double to, std::span<double> columns) const {
-  // Means of x and x^2 over t: with t^2 = u, mean(u) = m^2 + h^2/3 about the middle m, and variance(u) =
-  // 4 h^2 (m^2/3 + h^2/45), a sum of squares: nothing cancels but in u - (middle - impact^2).
-  const double m = 0.5 * (from + to), h = 0.5 * (to - from), m2 = m * m, h2 = h * h;
-  const double scale = scales_[layer].scale;
-  const double x = (m2 + h2 / 3 - (scales_[layer].middle - impact_squared)) * scale;
-  const double x2 = x * x + 4 * h2 * (m2 / 3 + h2 / 45) * scale * scale;
-  const Parabola* const p = &parabolas_[std::size_t(layer) * constituents_];
-  for (int c = 0; c < constituents_; ++c) columns[c] += 2 * h * (p[c].constant + x * p[c].linear + x2 * p[c].square);
+  // About the middle m of the part, half as long as h, x = a + b y + c y^2 with y in -1..1; the means of y^2, y^4 and y^6
+  // are 1/3, 1/5 and 1/7. Nothing cancels but in a.
+  const double m = 0.5 * (from + to), h = 0.5 * (to - from), scale = scales_[layer].scale;
+  const double a = (m * m - (scales_[layer].middle - impact_squared)) * scale, b = 2 * m * h * scale, c = h * h * scale;
+  const double bb = b * b, x = a + c / 3, x2 = a * (a + 2 * c / 3) + bb / 3 + c * c / 5,
+               x3 = a * (a * (a + c) + bb + 0.6 * c * c) + c * (0.6 * bb + c * c / 7);
+  const Cubic* const p = &cubics_[std::size_t(layer) * constituents_];
+  for (int k = 0; k < constituents_; ++k)
+    columns[k] += 2 * h * (p[k].constant + x * p[k].linear + x2 * p[k].square + x3 * p[k].cube);
 }
 
 /// Visits (layer, from, to) of a line inside the air from a point in a layer on.

@@ -1,4 +1,4 @@
-// The air as random walks see it: concentric layers in which every density is a parabola over radius squared.
+// The air as random walks see it: concentric layers in which every density is a cubic over radius squared.
 #pragma once
 #include <span>
 #include <vector>
@@ -21,7 +21,7 @@ struct Line {
 
 /// On a line, radius^2 is a parabola over t, so that columns are polynomials: exact, fast, and alike at all slants. The
 /// densities themselves are within `precision` of a constituent's vertical column over the layer's thickness, and within
-/// 3e-4 of themselves but where less than 1e-8 of the column lies.
+/// 2e-5 of themselves but where less than 1e-8 of the column lies.
 class Layers {
  public:
   static constexpr double precision = 1e-6;
@@ -61,10 +61,11 @@ class Layers {
     double middle, scale;
   };
   std::vector<Scale> scales_;
-  struct Parabola {
-    double constant, linear, square;
+  struct Cubic {
+    double constant, linear, square, cube;
+    double at(double x) const { return constant + x * (linear + x * (square + x * cube)); }
   };
-  std::vector<Parabola> parabolas_;  // a row of all constituents for each layer
+  std::vector<Cubic> cubics_;  // a row of all constituents for each layer
 };
 
 }  // namespace airlight::reference

@@ -37,6 +37,7 @@ MonteCarlo::MonteCarlo(const Atmosphere& atmosphere, std::span<const double> wav
     : atmosphere_(atmosphere),
       wavelengths_(wavelengths.begin(), wavelengths.end()),
       settings_(settings),
+      first_order_(settings.random_first_order || settings.uniform_light || settings.surface || settings.cloud ? 1 : 2),
       rules_(std::make_unique<const WalkRules>(atmosphere, wavelengths, settings)) {
   for (const double wavelength : wavelengths)
     sunlight_.push_back(settings.uniform_light ? 1 : atmosphere.sun.irradiance.at(wavelength));
@@ -52,7 +53,7 @@ WalkStart MonteCarlo::start(const Ray& ray) const {
           radius + (ray.altitude < 0 ? ray.altitude - 1 : 0),
           ray.distance,
           std::isinf(ray.distance),
-          settings_.random_first_order || settings_.uniform_light ? 1 : 2};
+          first_order_};
 }
 
 RandomLight MonteCarlo::radiance(const Ray& ray, const Budget& budget) const { return along(ray, budget, true); }

@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "airlight/sky.h"
+#include "reference/cloud.h"
+#include "reference/surface.h"
 
 namespace airlight::reference {
 
@@ -23,6 +25,9 @@ struct MonteCarloSettings {
   bool random_first_order = false;  ///< else the first order is found by quadrature, which is slower and exact
   bool guided = true;               ///< walks prefer to go where a rough estimate sees light; false: they ignore it
   bool uniform_light = false;       ///< radiance 1 comes from everywhere in space, in place of the sun
+  // With either of these the first order is random, too.
+  std::shared_ptr<const Surface> surface = {};  ///< land above the planet's sphere; none: the sphere alone
+  std::shared_ptr<const Cloud> cloud = {};      ///< beside the atmosphere's constituents
 };
 
 /// When to stop: at the first that is reached; 0: no limit. At least one shall be given.
@@ -68,6 +73,7 @@ class MonteCarlo {
   Atmosphere atmosphere_;
   std::vector<double> wavelengths_, sunlight_;
   MonteCarloSettings settings_;
+  int first_order_;  // that is left to chance
   std::unique_ptr<const WalkRules> rules_;
 };
 

@@ -6,9 +6,10 @@
 
 namespace airlight::reference {
 
-Optics::Optics(const Atmosphere& atmosphere, std::span<const double> nanometres, bool point_sun)
+Optics::Optics(const Atmosphere& atmosphere, std::span<const double> nanometres, bool point_sun, const Cloud* cloud)
     : constituents(atmosphere.constituents.size()),
       wavelengths(nanometres.size()),
+      scatterers(constituents + (cloud ? 1 : 0)),
       sun_radius_(point_sun ? 0 : atmosphere.sun.angular_radius) {
   std::vector<double> vertical(wavelengths, 0.0);
   for (const Constituent& constituent : atmosphere.constituents) {
@@ -22,6 +23,11 @@ Optics::Optics(const Atmosphere& atmosphere, std::span<const double> nanometres,
     phases.push_back(constituent.phase);
     samplers.emplace_back(constituent.phase);
   }
+  if (cloud) {
+    for (const double wavelength : nanometres) scattering.push_back(cloud->single_scattering_albedo.at(wavelength));
+    phases.push_back(cloud->phase);
+    samplers.emplace_back(cloud->phase);
+  }
   for (const double wavelength : nanometres) {
     albedo.push_back(atmosphere.planet.albedo.at(wavelength));
     limb_darkening_.push_back(atmosphere.sun.limb_darkening.at(wavelength));
@@ -32,14 +38,14 @@ Optics::Optics(const Atmosphere& atmosphere, std::span<const double> nanometres,
   thickest_ = std::max_element(vertical.begin(), vertical.end()) - vertical.begin();
   heroes = wavelengths == 1 ? 1 : most_heroes;
   hero_extinction.resize(constituents * heroes);
-  hero_scattering.resize(constituents * heroes);
+  hero_scattering.resize(scatterers * heroes);
   hero_albedo.resize(heroes);
-  for (std::size_t c = 0; c < constituents; ++c) {
+  for (std::size_t c = 0; c < constituents; ++c)
     hero_values(std::span(extinction).subspan(c * wavelengths, wavelengths),
                 std::span(hero_extinction).subspan(c * heroes, heroes));
+  for (std::size_t c = 0; c < scatterers; ++c)
     hero_values(std::span(scattering).subspan(c * wavelengths, wavelengths),
                 std::span(hero_scattering).subspan(c * heroes, heroes));
-  }
   hero_values(albedo, hero_albedo);
 }
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "airlight/atmosphere.h"
+#include "reference/cloud.h"
 #include "reference/phase_sampler.h"
 #include "reference/random.h"
 #include "reference/vector.h"
@@ -12,9 +13,14 @@ namespace airlight::reference {
 
 /// Rows are constituents, columns wavelengths. Sunlight's irradiance is 1 here: answers are scaled at the end.
 struct Optics {
-  Optics(const Atmosphere& atmosphere, std::span<const double> wavelengths, bool point_sun);
+  /// @param cloud  none: air alone
+  Optics(const Atmosphere& atmosphere, std::span<const double> wavelengths, bool point_sun,
+         const Cloud* cloud = nullptr);
 
   std::size_t constituents, wavelengths;
+  /// Those, and after them the cloud: what a collision with it scatters, of a density of 1. Only tables of scattering
+  /// have its row.
+  std::size_t scatterers;
   std::vector<double> extinction, scattering;  ///< [1/m] where the relative density is 1
   std::vector<double> albedo;                  ///< of the ground
   std::vector<Phase> phases;

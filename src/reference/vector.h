@@ -12,6 +12,13 @@ using Vector = Direction;  ///< of any length: a place [m] from the planet's cen
 
 inline double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 inline double length(const Vector& a) { return std::sqrt(dot(a, a)); }
+
+/// Where a walk is, and where it looks.
+struct Place {
+  Vector position;   ///< [m] from the planet's centre
+  Vector direction;  ///< unit
+};
+
 /// a + t b
 inline Vector along(const Vector& a, double t, const Vector& b) {
   return {a[0] + t * b[0], a[1] + t * b[1], a[2] + t * b[2]};

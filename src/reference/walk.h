@@ -15,6 +15,8 @@ struct WalkRules {
   Layers layers;
   Optics optics;
   Guide guide;
+  std::shared_ptr<const Surface> surface;
+  std::shared_ptr<const Cloud> cloud;
   int max_order;       ///< of scattering and reflection
   int candidates;      ///< directions drawn at each place, of which one is taken
   int kept_orders;     ///< the last row of a result holds all higher ones
@@ -48,22 +50,29 @@ class Walker {
             std::span<double> light);
 
  private:
+  void aim(Flight& flight, const WalkStart& start, const Place& from, double distance, bool scattered_only,
+           bool count_ground) const;
+  double light_at(const WalkStart& start, const Vector& position) const;
+  double cloud_light(const WalkStart& start, const Flight& flight, const Place& from) const;
+  bool draw_with_cloud(const WalkStart& start, const Place& from, const Flight& flight, double where, Random& random);
   bool move(const WalkStart& start, const Place& from, const Flight& flight, double where, Random& random);
   void add_sunlight(const WalkStart& start, int order, Random& random, std::span<double> light);
-  void add_light_of_space(const Flight& flight, int order, std::span<double> light);
-  bool turn(const WalkStart& start, Random& random);
-  Vector draw_direction(const WalkStart& start, Random& random);
+  void add_light_of_space(const Place& from, const Flight& flight, int order, Random& random, std::span<double> light);
+  bool turn(const WalkStart& start, int order, Random& random);
+  Vector draw_direction(const WalkStart& start, const std::optional<SkyAround>& sky, Random& random);
   std::span<double> row(int order, std::span<double> light) const;
 
   const WalkRules& rules_;
   // The place that the walk has come to.
   Vector position_, direction_;  // direction_: in which the walk came
   Flight::Event event_;
+  Vector normal_;                // of the ground, where the event lies on it
+  std::vector<double> albedo_;   // of that ground
   std::vector<double> weights_;  // for each wavelength: light that reaches the eye for each unit that leaves the place
 
   std::vector<double> importance_;  // for each hero: 1 / light that the whole walk may find
   std::vector<double> hero_weights_, columns_, sunlight_, shares_, factor_, hero_factor_, taken_factor_;
-  Flight flight_, candidate_;
+  Flight flight_, candidate_, before_cloud_;
 };
 
 }  // namespace airlight::reference

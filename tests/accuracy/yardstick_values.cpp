@@ -1,5 +1,6 @@
-// Solves the yardstick's rays by Monte Carlo and appends their values, one JSON object a line. What the output already
-// holds is kept: start it again to go on after an interruption. The same numbers on any machine.
+// Solves the yardstick's rays by Monte Carlo and appends their values, one JSON object a line; the highest sun, whose
+// rays cost least, first. What the output already holds is kept: start it again to go on after an interruption. The same
+// numbers on any machine.
 //
 //   yardstick_values RAYS VALUES [FIRST-ID LAST-ID]
 #include <algorithm>
@@ -80,12 +81,18 @@ int run(int count, char** arguments) {
     std::fprintf(stderr, "yardstick_values: cannot read %s\n", arguments[1]);
     return 2;
   }
-  std::ofstream values(arguments[2], std::ios::app);
-  std::map<std::string, std::unique_ptr<reference::MonteCarlo>> solvers;
+  std::vector<Json> missing;
   while (std::getline(rays, text)) {
     const Json line = Json::parse(text);
-    const std::string id = line.at("id"), atmosphere = line.at("atmosphere");
-    if (done.contains(id) || std::stoi(id) < first || std::stoi(id) > last) continue;
+    const std::string id = line.at("id");
+    if (!done.contains(id) && std::stoi(id) >= first && std::stoi(id) <= last) missing.push_back(line);
+  }
+  std::stable_sort(missing.begin(), missing.end(),
+                   [](const Json& a, const Json& b) { return a.at("sun_zenith") < b.at("sun_zenith"); });
+  std::ofstream values(arguments[2], std::ios::app);
+  std::map<std::string, std::unique_ptr<reference::MonteCarlo>> solvers;
+  for (const Json& line : missing) {
+    const std::string atmosphere = line.at("atmosphere");
     auto& solver = solvers[atmosphere];
     if (!solver)
       solver = std::make_unique<reference::MonteCarlo>(built_in_atmosphere(atmosphere),
