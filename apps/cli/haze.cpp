@@ -10,6 +10,7 @@
 #include "haze_input.h"
 #include "haze_options.h"
 #include "interrupt.h"
+#include "lens.h"
 #include "number_option.h"
 #include "picture_outputs.h"
 #include "progress.h"
@@ -70,7 +71,7 @@ Surroundings plain_surroundings(const HazeOptions& options, const InputPicture& 
     camera.field_of_view = options.field_of_view.value_or(0) * degree;
     if (!options.field_of_view && picture.world_to_camera && !picture.world_to_ndc)
       throw InputError("--exr-camera: '" + picture.path + "' has worldToCamera alone: give --field-of-view [degrees]");
-    if (options.field_of_view) check_number(*options.field_of_view, "--field-of-view", {0.1, 170, "degrees"});
+    if (options.field_of_view) check_field_of_view(lens_of(Projection::perspective), *options.field_of_view);
     set_size(camera, picture);
     s.view = haze_view(picture, options.up(), options.north * degree, camera);
     s.settings.altitude = options.altitude.value_or(s.view.eye_height * options.unit);

@@ -3,24 +3,13 @@
 #include <fmt/core.h>
 
 #include "airlight/error.h"
+#include "lens.h"
 #include "number_option.h"
 #include "picture_outputs.h"
 
 namespace airlight::cli {
 namespace {
 
-struct LensChoice {
-  std::string_view name;
-  Projection projection;
-  double field_of_view, elevation;  ///< [degrees], when not said; no field of view: it must be
-  Interval legal_view;
-};
-constexpr LensChoice lenses[] = {
-    {"perspective", Projection::perspective, 0, 0, {0.1, 170, "degrees"}},
-    {"fisheye", Projection::fisheye, 0, 90, {1, 360, "degrees"}},
-    {"equirectangular", Projection::equirectangular, 360, 0, {360, 360, "degrees"}},
-    {"cube", Projection::cube, 90, 0, {90, 90, "degrees"}},
-};
 // Renderers mark the sky with numbers like 1e10 (Blender), which no scene reaches.
 constexpr double far_away = 1e9;
 
@@ -68,11 +57,10 @@ std::optional<std::array<double, 3>> HazeOptions::eye_position() const {
 
 void HazeOptions::change(Camera& camera, bool complete) const {
   if (!projection.empty() || complete) {
-    std::vector<std::string_view> names;
-    for (const LensChoice& lens : lenses) names.push_back(lens.name);
-    const LensChoice& lens = lenses[projection.empty() ? 0 : choose("--projection", projection, names)];
+    const Lens& lens = lens_named("--projection", projection.empty() ? "perspective" : projection);
     camera.projection = lens.projection;
-    if (!field_of_view && lens.field_of_view == 0)
+    // No usual view is taken for granted: the picture is there already.
+    if (!field_of_view && !lens.has_one_view())
       throw InputError(
           fmt::format("which lens? Give --field-of-view (of {}) [degrees, {:g} .. {:g}], --exr-camera or --scene",
                       lens.name, lens.legal_view.low, lens.legal_view.high));
@@ -80,9 +68,7 @@ void HazeOptions::change(Camera& camera, bool complete) const {
     camera.elevation = lens.elevation * degree;
   }
   if (field_of_view) {
-    for (const LensChoice& lens : lenses)
-      if (lens.projection == camera.projection)
-        check_number(*field_of_view, fmt::format("--field-of-view (of {})", lens.name), lens.legal_view);
+    check_field_of_view(lens_of(camera.projection), *field_of_view);
     camera.field_of_view = *field_of_view * degree;
   }
   if (azimuth) camera.azimuth = *azimuth * degree;

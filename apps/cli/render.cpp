@@ -5,22 +5,37 @@
 #include <memory>
 
 #include "commands.h"
+#include "number_option.h"
 #include "progress.h"
 #include "scene_render.h"
+#include "scenefile/animation.h"
 
 namespace airlight::cli {
 namespace {
 
 struct RenderOptions {
-  std::string scene;
+  std::string scene, frame;
   std::vector<std::string> outputs;
+  double frames_per_second = 24;
   ScenePictureOptions picture;
 };
+
+std::optional<int> frame_of(const RenderOptions& options) {
+  if (options.frame.empty()) return {};
+  return parse_whole(options.frame, "--frame", {0, 1e8, "frames"});
+}
+
+/// As it is written, or as its key frames have it.
+Scene scene_of(const RenderOptions& options, std::optional<int> frame) {
+  if (!frame) return load_scene(options.scene);
+  return load_animation(options.scene, options.frames_per_second).frame(*frame).scene;
+}
 
 int run_render(const RenderOptions& options) {
   const auto started = std::chrono::steady_clock::now();
   const std::vector<Layer> layers = options.picture.layers();
-  Scene scene = load_scene(options.scene);
+  const std::optional<int> frame = frame_of(options);
+  Scene scene = scene_of(options, frame);
   options.picture.apply(scene);
   const PictureFormat format = options.picture.format(scene);
   // Everything that can be wrong is found before a file is touched.
@@ -29,6 +44,7 @@ int run_render(const RenderOptions& options) {
   const std::string engine = describe(shot.sky().engine());
   Metadata metadata = shot.metadata();
   metadata.push_back({"engine", engine});
+  if (frame) metadata.push_back({"frame", double(*frame)});
   PictureOutputs files(options.outputs, shot.width(), shot.height(), format, metadata);
   {
     Progress progress("render");
@@ -60,6 +76,15 @@ void add_render(CLI::App& app, Command& chosen) {
       ->required()
       ->allow_extra_args(false)
       ->type_name("FILE");
+  auto* const frame =
+      render
+          .add_option("--frame", options->frame,
+                      "of a scene with key frames: this one, as sequence makes it, from 0 (default: the "
+                      "scene as it is written)")
+          ->type_name("N");
+  add_number(render, "--fps", options->frames_per_second, {0.001, 1000, "1/s"},
+             "frames a second, of key frames that are given by times")
+      ->needs(frame);
   options->picture.add_to(render);
   render.callback([options, &chosen] { chosen = [options] { return run_render(*options); }; });
 }

@@ -45,6 +45,19 @@ Sky make_sky(const Scene& scene, const SunPlace& sun, std::shared_ptr<Engine> en
   return Sky(std::move(air), scene.picture.model, std::move(engine));
 }
 
+/// Says so before the land's triangles are made where a model cannot shade the air: it is asked for one point.
+const Sky& able_to_shade(const Sky& sky, const Scene& scene, const PlacedCamera& camera, const SunPlace& sun) {
+  if (!scene.picture.air_shadows) return sky;
+  constexpr float underground = -1e6f;
+  const AirShadows none{.width = 2, .height = 2, .edges = std::make_shared<std::vector<float>>(8, underground)};
+  const Sight point{.view = {0, 0, 1}, .distance = 1};
+  const auto wavelengths = sky.realtime_wavelengths();
+  std::array<double, 4> inscatter, transmittance;
+  sky.haze(camera.camera.altitude, camera.from_scene(sun.direction()), {&point, 1}, wavelengths, &none, inscatter,
+           transmittance);
+  return sky;
+}
+
 SceneOptions scene_options(const Scene& scene, bool sun_disc) {
   SceneOptions how;
   how.samples = scene.picture.samples;
@@ -125,8 +138,8 @@ SceneShot::SceneShot(const Scene& scene, std::shared_ptr<const Land> land, std::
                      bool sun_disc)
     : sun_(sun_place(scene, *land)),
       sky_(make_sky(scene, sun_, std::move(engine))),
-      renderer_(sky_, land, scene.surface, {place_camera(scene.camera, *land), sun_.direction()},
-                scene_options(scene, sun_disc)),
+      renderer_(able_to_shade(sky_, scene, place_camera(scene.camera, *land), sun_), land, scene.surface,
+                {place_camera(scene.camera, *land), sun_.direction()}, scene_options(scene, sun_disc)),
       height_(scene.camera.camera.height),
       samples_(scene.picture.samples) {
   const PlacedCamera placed = place_camera(scene.camera, *land);
@@ -148,8 +161,8 @@ void SceneShot::paint(PictureOutputs& files, const std::vector<Layer>& layers,
                       const std::function<void(double)>& progress) const {
   std::vector<float> rgba;
   const bool whole = renderer_.render([&](const SceneRows& rows) {
-    rgba.resize(4 * rows.depth.size());
-    for (std::size_t i = 0; i < rows.depth.size(); ++i) {
+    rgba.resize(4 * (rows.rgb.size() / 3));
+    for (std::size_t i = 0; i < rows.rgb.size() / 3; ++i) {
       std::copy_n(&rows.rgb[3 * i], 3, &rgba[4 * i]);
       rgba[4 * i + 3] = 1;
     }
@@ -160,7 +173,7 @@ void SceneShot::paint(PictureOutputs& files, const std::vector<Layer>& layers,
     files.write(rows.begin, rows.end, rgba, planes);
     progress(double(rows.end) / height_);
     return !interrupted();
-  });
+  }, !layers.empty());
   if (!whole) throw Interrupted{};
   check_interrupt();
   files.finish();

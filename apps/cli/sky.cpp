@@ -10,6 +10,7 @@
 #include "airlight/error.h"
 #include "commands.h"
 #include "interrupt.h"
+#include "lens.h"
 #include "number_option.h"
 #include "options.h"
 #include "picture_outputs.h"
@@ -32,44 +33,28 @@ struct SkyOptions {
   bool full_float = false, no_sun = false;
 };
 
-struct ProjectionChoice {
-  std::string_view name;
-  Projection projection;
-  int width;                        ///< when --size says nothing
-  double height_over_width;         ///< when --size gives a width alone
-  double elevation, field_of_view;  ///< [degrees], when not said
-  Interval legal_view;
-};
-constexpr ProjectionChoice projections[] = {
-    {"equirectangular", Projection::equirectangular, 2048, 0.5, 0, 360, {360, 360, "degrees"}},
-    {"fisheye", Projection::fisheye, 1024, 1, 90, 180, {1, 360, "degrees"}},
-    {"cube", Projection::cube, 512, 1, 0, 90, {90, 90, "degrees"}},
-    {"perspective", Projection::perspective, 1280, 0.5625, 0, 90, {0.1, 170, "degrees"}},
-};
 constexpr int cube_faces = 6;
 constexpr Interval legal_size{1, 65'536, "pixels"}, legal_face{1, 4096, "pixels"};
 
 Camera make_camera(const SkyOptions& options) {
-  std::vector<std::string_view> names;
-  for (const ProjectionChoice& projection : projections) names.push_back(projection.name);
-  const ProjectionChoice& choice = projections[choose("--projection", options.projection, names)];
-  const bool cube = choice.projection == Projection::cube;
+  const Lens& lens = lens_named("--projection", options.projection);
+  const bool cube = lens.projection == Projection::cube;
   const Interval& legal = cube ? legal_face : legal_size;
   Camera camera;
-  camera.projection = choice.projection;
+  camera.projection = lens.projection;
   const std::size_t cross = options.size.find('x');
-  camera.width = options.size.empty() ? choice.width
-                                      : parse_whole(std::string_view(options.size).substr(0, cross), "--size", legal);
+  camera.width =
+      options.size.empty() ? lens.width : parse_whole(std::string_view(options.size).substr(0, cross), "--size", legal);
   camera.height = cross == std::string::npos
-                      ? std::max(1, static_cast<int>(std::lround(camera.width * choice.height_over_width)))
+                      ? std::max(1, static_cast<int>(std::lround(camera.width * lens.height_over_width)))
                       : parse_whole(std::string_view(options.size).substr(cross + 1), "--size", legal);
   if (cube && camera.height != camera.width)
     throw InputError(fmt::format("--size = {}: a cube's faces are square; give one number", options.size));
-  const double field_of_view = options.field_of_view.value_or(choice.field_of_view);
-  check_number(field_of_view, fmt::format("--field-of-view (of {})", choice.name), choice.legal_view);
+  const double field_of_view = options.field_of_view.value_or(lens.field_of_view);
+  check_field_of_view(lens, field_of_view);
   camera.altitude = options.altitude;
   camera.azimuth = options.azimuth * degree;
-  camera.elevation = options.elevation.value_or(choice.elevation) * degree;
+  camera.elevation = options.elevation.value_or(lens.elevation) * degree;
   camera.field_of_view = field_of_view * degree;
   return camera;
 }
@@ -204,8 +189,8 @@ int run_sky(const SkyOptions& options) {
   files.finish();
 
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
-  fmt::print(stderr, "{}: {} x {}, {}, {} on {}, sun at azimuth {:.2f}, elevation {:.2f} degrees{}; {:.2f} s\n", files.names(),
-             camera.width * (cube ? cube_faces : 1), camera.height, sky.atmosphere().name, sky.model(),
+  fmt::print(stderr, "{}: {} x {}, {}, {} on {}, sun at azimuth {:.2f}, elevation {:.2f} degrees{}; {:.2f} s\n",
+             files.names(), camera.width * (cube ? cube_faces : 1), camera.height, sky.atmosphere().name, sky.model(),
              describe(sky.engine()), sun.azimuth, sun.elevation, sun.refraction ? " with refraction" : "", seconds);
   files.tell_notes();
   return ok;

@@ -250,7 +250,7 @@ SurfaceSettings read_surface(TableReader reader) {
 
 ScenePicture read_picture(TableReader reader) {
   ScenePicture p;
-  p.samples = whole(reader, "samples", {1, 4096}, p.samples);
+  p.samples = whole(reader, "samples", {1, 256}, p.samples);
   p.soft_shadows = reader.flag("soft_shadows", p.soft_shadows);
   p.air_shadows = reader.flag("air_shadows", p.air_shadows);
   if (reader.has("model")) p.model = reader.text("model");
@@ -302,6 +302,11 @@ Scene load_scene(const std::string& path) {
   const auto text = read_text_file(path);
   if (!text) throw InputError(path + ": no such file");
   return parse_scene(*text, path);
+}
+
+bool is_scene_file(const std::string& name) {
+  const auto text = name.ends_with(".toml") ? read_text_file(name) : std::nullopt;
+  return text && parse_toml(*text, name).contains("camera");
 }
 
 }  // namespace airlight

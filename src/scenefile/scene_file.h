@@ -42,4 +42,8 @@ Scene parse_scene(std::string_view text, const std::string& file);
 /// @throws InputError.
 Scene load_scene(const std::string& path);
 
+/// Whether a name is that of a scene file, not of an atmosphere: only scenes have a camera.
+/// @throws InputError for a file that is no TOML.
+bool is_scene_file(const std::string& name);
+
 }  // namespace airlight

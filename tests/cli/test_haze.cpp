@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
+#include "mountains.h"
 #include "read_picture.h"
 #include "run_program.h"
 #include "write_picture.h"
@@ -13,21 +15,7 @@ namespace airlight {
 namespace {
 
 constexpr double deg = 0.017453292519943295, altitude = 3000, azimuth = 30, elevation = -3, lens = 60;
-constexpr char scene[] = R"(
-air = "earth"
-[camera]
-width = 64
-height = 36
-altitude = 3000
-azimuth = 30
-elevation = -3
-field_of_view = 60
-[sun]
-elevation = 12
-azimuth = 80
-[relief]
-seed = 3
-)";
+const std::string scene = mountains("altitude = 3000\nelevation = -3");
 constexpr double near_plane = 10, far_plane = 300'000;
 
 /// Cosine of a pixel's angle to the camera's axis.
@@ -35,6 +23,33 @@ double cosine(int x, int y) {
   const double half_width = std::tan(lens / 2 * deg), half_height = half_width * 36 / 64;
   const double a = (2 * (x + 0.5) / 64 - 1) * half_width, b = (2 * (y + 0.5) / 36 - 1) * half_height;
   return 1 / std::sqrt(1 + a * a + b * b);
+}
+
+using Vector = std::array<double, 3>;
+
+/// OpenEXR's matrix of the scene's lens. @param axes  the eye's east, north and up
+std::array<float, 16> world_to_ndc(const Vector& eye, const std::array<Vector, 3>& axes) {
+  const double s = std::sin(azimuth * deg), c = std::cos(azimuth * deg), se = std::sin(elevation * deg),
+               ce = std::cos(elevation * deg);
+  const auto in_scene = [&](const Vector& v) {
+    Vector sum{};
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t k = 0; k < 3; ++k) sum[k] += v[i] * axes[i][k];
+    return sum;
+  };
+  const Vector right = in_scene({c, -s, 0}), up = in_scene({-se * s, -se * c, ce}),
+               forward = in_scene({ce * s, ce * c, se});
+  const double half_width = std::tan(lens / 2 * deg), half_height = half_width * 36 / 64;
+  std::array<float, 16> ndc{};
+  for (std::size_t row = 0; row < 4; ++row) {
+    const auto of = [&](const Vector& v) {
+      return row < 3 ? v[row] : -(v[0] * eye[0] + v[1] * eye[1] + v[2] * eye[2]);
+    };
+    ndc[4 * row] = float(0.5 * of(right) / half_width + 0.5 * of(forward));
+    ndc[4 * row + 1] = float(-0.5 * of(up) / half_height + 0.5 * of(forward));
+    ndc[4 * row + 3] = float(of(forward));
+  }
+  return ndc;
 }
 
 /// z as a convention of depth tells it.
@@ -156,18 +171,7 @@ TEST_F(Haze, positions_in_kilometres_with_y_up_give_our_own_picture) {
 TEST_F(Haze, matrices_in_the_file_stand_for_the_camera) {
   PictureToWrite picture = surface();
   picture.channels["Z"] = lit().layers.at("Z");
-  const double s = std::sin(azimuth * deg), c = std::cos(azimuth * deg), se = std::sin(elevation * deg),
-               ce = std::cos(elevation * deg);
-  const double right[] = {c, -s, 0}, up[] = {-se * s, -se * c, ce}, forward[] = {ce * s, ce * c, se};
-  const double half_width = std::tan(lens / 2 * deg), half_height = half_width * 36 / 64;
-  std::array<float, 16> ndc{};
-  for (std::size_t row = 0; row < 4; ++row) {
-    const auto of = [&](const double* axis) { return row < 3 ? axis[row] : -axis[2] * altitude; };
-    ndc[4 * row] = float(0.5 * of(right) / half_width + 0.5 * of(forward));
-    ndc[4 * row + 1] = float(-0.5 * of(up) / half_height + 0.5 * of(forward));
-    ndc[4 * row + 3] = float(of(forward));
-  }
-  picture.world_to_ndc = ndc;
+  picture.world_to_ndc = world_to_ndc({0, 0, altitude}, {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}});
   write_picture(folder() / "in.exr", picture);
   expect_like(lit(), run(folder(), {"haze", "--color", "in.exr", "-o", "out.exr", "--float", "--depth-kind", "distance",
                                     "--exr-camera", "--sun-elevation", "12", "--sun-azimuth", "80"}));
@@ -184,6 +188,36 @@ TEST_F(Haze, a_scene_lends_its_land_for_shadows_in_the_air) {
   expect_like(shaded(), run(folder(), by_position));
   // Shadows matter here: the picture without them is not within the bound.
   EXPECT_GT(percentile_99(shaded(), lit()), 0.02);
+}
+
+TEST_F(Haze, matrices_in_a_scene_stand_for_its_camera_where_the_planet_bends) {
+  // 200 km from the origin, where the vertical leans by 1.8 degrees: a camera taken for level would see other haze.
+  constexpr double east = 120'000, north = -160'000, radius = 6'371'000;
+  write_file(folder() / "far.toml",
+             mountains("altitude = 3000\nelevation = -3\nposition = [120e3, -160e3]") + "[land]\nextent = 250e3\n");
+  const Outcome rendered = run(folder(), {"render", "far.toml", "-o", "far.exr", "--aov", "all"});
+  ASSERT_EQ(rendered.code, 0) << rendered.err;
+  const Picture truth = read_picture(folder() / "far.exr");
+
+  const double angle = std::hypot(east, north) / radius, s = std::sin(angle), c = std::cos(angle);
+  const Vector up{0.6 * s, -0.8 * s, c},
+      eye{(radius + altitude) * up[0], (radius + altitude) * up[1], (radius + altitude) * c - radius};
+  // The scene's axes turned about the horizontal axis (0.8, 0.6, 0) by that angle.
+  const std::array<Vector, 3> axes{Vector{0.64 + 0.36 * c, 0.48 * (1 - c), -0.6 * s},
+                                   Vector{0.48 * (1 - c), 0.36 + 0.64 * c, 0.8 * s}, up};
+  PictureToWrite picture{64, 36, {}};
+  for (const char* name : {"R", "G", "B"}) picture.channels[name] = truth.layers.at(std::string("surface.") + name);
+  picture.channels["Z"] = truth.layers.at("Z");
+  picture.world_to_ndc = world_to_ndc(eye, axes);
+  write_picture(folder() / "in.exr", picture);
+  const auto hazed = [&](std::vector<std::string> more) {
+    const std::vector<std::string> words{"haze",    "--color", "in.exr",   "-o",           "out.exr",
+                                         "--float", "--scene", "far.toml", "--depth-kind", "distance"};
+    more.insert(more.begin(), words.begin(), words.end());
+    return run(folder(), more);
+  };
+  expect_like(truth, hazed({"--exr-camera"}));
+  expect_like(truth, hazed({}));
 }
 
 TEST_F(Haze, units_of_brightness_scale_the_colour_alone) {

@@ -3,30 +3,18 @@
 
 #include <cmath>
 
+#include "mountains.h"
 #include "read_picture.h"
 #include "run_program.h"
 
 namespace airlight {
 namespace {
 
-constexpr char mountains[] = R"(
-air = "earth"
-[camera]
-width = 64
-height = 36
-height_above_ground = 300
-azimuth = 30
-field_of_view = 60
-[sun]
-elevation = 12
-azimuth = 80
-[relief]
-seed = 3
-)";
+const std::string scene_text = mountains("height_above_ground = 300");
 
 TEST(Render, layers_recombine_to_the_picture) {
   const Folder folder;
-  write_file(folder / "scene.toml", mountains);
+  write_file(folder / "scene.toml", scene_text);
   const Outcome outcome = run(folder, {"render", "scene.toml", "-o", "a.exr", "-o", "a.png", "--aov", "all"});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   const Picture picture = read_picture(folder / "a.exr");
@@ -56,7 +44,7 @@ TEST(Render, layers_recombine_to_the_picture) {
 
 TEST(Render, chosen_layers_alone_are_written) {
   const Folder folder;
-  write_file(folder / "scene.toml", mountains);
+  write_file(folder / "scene.toml", scene_text);
   const Outcome outcome = run(folder, {"render", "scene.toml", "--size", "16", "-o", "a.exr", "--aov", "depth,normal"});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   const Picture picture = read_picture(folder / "a.exr");
@@ -69,7 +57,7 @@ TEST(Render, chosen_layers_alone_are_written) {
 
 TEST(Render, a_cube_has_six_faces) {
   const Folder folder;
-  std::string scene = mountains;
+  std::string scene = scene_text;
   scene.replace(scene.find("[camera]"), 8, "[camera]\ntype = \"cube\"");
   for (const char* line : {"height = 36\n", "field_of_view = 60\n", "azimuth = 30\n"})
     scene.replace(scene.find(line), std::string(line).size(), "");
@@ -85,9 +73,30 @@ TEST(Render, a_cube_has_six_faces) {
   EXPECT_GT(picture.luminance(88, 8), 0);
 }
 
+TEST(Render, a_frame_is_the_one_that_sequence_makes) {
+  const Folder folder;
+  write_file(folder / "scene.toml", scene_text + R"(
+[[animate]]
+key = "camera.azimuth"
+times = [0, 1]
+values = [30, 50]
+)");
+  const std::vector<std::string> words{"scene.toml", "--size", "16", "--fps", "4"};
+  const auto made = [&](std::vector<std::string> more) {
+    more.insert(more.end(), words.begin(), words.end());
+    const Outcome outcome = run(folder, more);
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+  };
+  made({"sequence", "--frames", "3:3", "-o", "%d.exr"});
+  made({"render", "--frame", "3", "-o", "frame.exr"});
+  made({"render", "--frame", "0", "-o", "first.exr"});
+  EXPECT_EQ(read_picture(folder / "3.exr").rgb, read_picture(folder / "frame.exr").rgb);
+  EXPECT_NE(read_picture(folder / "first.exr").rgb, read_picture(folder / "frame.exr").rgb);
+}
+
 TEST(Render, bad_words_are_named_and_nothing_is_written) {
   const Folder folder;
-  write_file(folder / "scene.toml", mountains);
+  write_file(folder / "scene.toml", scene_text);
   const struct {
     std::vector<std::string> words;
     const char* says;
@@ -99,6 +108,8 @@ TEST(Render, bad_words_are_named_and_nothing_is_written) {
                {{"render", "scene.toml", "-o", "a.png", "--model", "single"}, "cannot shade"},
                {{"render", "scene.toml", "-o", "a.txt"}, ".txt"},
                {{"render", "scene.toml", "-o", "a.png", "-o", "a.png"}, "named twice"},
+               {{"render", "scene.toml", "-o", "a.png", "--frame", "-1"}, "--frame = -1: expected 0 .. "},
+               {{"render", "scene.toml", "-o", "a.png", "--fps", "24"}, "--frame"},
                {{"render", "scene.toml"}, "--output"}};
   for (const auto& c : cases) {
     const Outcome outcome = run(folder, c.words);
