@@ -64,6 +64,47 @@ TEST(Tables, every_table_is_there_twice) {
   }
 }
 
+TEST(Tables, a_scene_gives_its_air_sun_and_eye) {
+  const Folder folder;
+  const std::string scene = R"(
+air = { base = "earth", aerosol_optical_depth = 0.3 }
+[camera]
+height_above_ground = 800
+[sun]
+elevation = 25
+azimuth = 40
+)";
+  write_file(folder / "scene.toml", scene);
+  ASSERT_EQ(run(folder, {"tables", "scene.toml", "-o", "of_scene"}).code, 0);
+  ASSERT_EQ(run(folder, {"tables", "earth", "--aerosol-optical-depth", "0.3", "--sun-elevation", "25", "--sun-azimuth",
+                         "40", "--altitude", "800", "-o", "of_words"})
+                .code,
+            0);
+  for (const char* file : {"sky_view.f32", "aerial.f32", "aerial_class1.f32"})
+    EXPECT_TRUE(read_file(folder / ("of_scene/" + std::string(file))) ==
+                read_file(folder / ("of_words/" + std::string(file))))
+        << file;
+  ASSERT_EQ(run(folder, {"tables", "scene.toml", "--altitude", "90", "--sun-elevation", "5", "-o", "changed"}).code, 0);
+  const nlohmann::json observer = nlohmann::json::parse(read_file(folder / "changed/tables.json"))["observer"];
+  EXPECT_EQ(observer["altitude"], 90);
+  EXPECT_NEAR(observer["sun"][2], std::sin(5 * 0.017453292519943295), 1e-12);
+  EXPECT_NEAR(double(observer["sun"][0]) / double(observer["sun"][1]), std::tan(40 * 0.017453292519943295), 1e-12);
+}
+
+TEST(Tables, colours_come_back_from_four_wavelengths) {
+  const Folder folder;
+  ASSERT_EQ(run(folder, {"tables", "earth", "--sun-elevation", "25", "-o", "tables"}).code, 0);
+  const nlohmann::json index = nlohmann::json::parse(read_file(folder / "tables/tables.json"));
+  for (std::size_t row = 0; row < 3; ++row) {
+    for (std::size_t column = 0; column < 3; ++column) {
+      double sum = 0;
+      for (std::size_t k = 0; k < 4; ++k)
+        sum += double(index["to_srgb"][row][k]) * double(index["from_srgb"][k][column]);
+      EXPECT_NEAR(sum, row == column, 1e-9);  // two matrices of doubles, one made from the other
+    }
+  }
+}
+
 TEST(Tables, bad_words_are_named) {
   const Folder folder;
   const struct {

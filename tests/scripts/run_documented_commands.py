@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Runs the shell commands that documents show, and checks that the C++ and CMake they show is compiled somewhere.
+"""Runs the shell commands that documents show, and checks that the C++, GLSL and CMake they show is compiled somewhere.
 
 usage: run_documented_commands.py PROGRAM_FOLDER REPOSITORY DOCUMENT...
 
@@ -46,7 +46,7 @@ def flat(text):
 def uncompiled(document, repository):
     """Snippets of the document that are no part of a file under examples/; those files are built by tests."""
     sources = [flat(file.read_text(errors="replace")) for file in (repository / "examples").rglob("*") if file.is_file()]
-    shown = blocks(document.read_text(), "cpp") + blocks(document.read_text(), "cmake")
+    shown = [block for language in ("cpp", "cmake", "glsl") for block in blocks(document.read_text(), language)]
     return [snippet for snippet in shown if not any(flat(snippet) in source for source in sources)]
 
 
