@@ -226,11 +226,9 @@ std::vector<Adapter> jetlag_adapters() {
            {{.name = "index", .kind = Kind::whole, .low = 0, .high = 4.0 * jetlag_noise_size * jetlag_noise_size - 1}},
        .outputs = "byte",
        .unit = "1",
-       .call =
-           [](KernelCaller&, const Values& in) {
-             return Numbers{double(jetlag_noise_byte(static_cast<std::uint32_t>(in.number("index"))))};
-           },
-       .double_only = true});
+       .call = [](KernelCaller&, const Values& in) {
+         return Numbers{double(jetlag_noise_byte(static_cast<std::uint32_t>(in.number("index"))))};
+       }});
   list.push_back(
       {.name = "jetlag.density_cloud",
        .text = "Densities of molecules and of haze with clouds, and the noise that shapes those",

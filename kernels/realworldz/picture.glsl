@@ -1,0 +1,124 @@
+#pragma once
+#include "core/picture.glsl"
+#include "core/tables.glsl"
+#include "realworldz/sky.glsl"
+#include "realworldz/terrain.glsl"
+// RealWorldz' pictures: sky over stars, terrain, both behind fog. World frame: east, north, up at the viewer, turned into the planet's.
+//
+// `sky_colours` over a quarter of |sun - view|^2 and exp(-optical depth); `stars` is a cube map: six faces side by side, each with a border
+// of one texel, light per solid angle of a star of magnitude 0 being 1.
+
+struct RealworldzView {
+  Scalar4 east;       // [1] in -1..1  axes of the viewer's frame in the planet's, to which stars are fixed
+  Scalar4 north;      // [1] in -1..1
+  Scalar4 up;         // [1] in -1..1
+  Scalar star_gain;   // [sr] in 0..1  light of the stars
+  Scalar terrain;     // [1] in 0..1  0: a smooth ball
+  Scalar steps;       // [1] in 1..512  along a ray over terrain
+  Scalar show;        // [1] in 0..1  1: fog alone
+};
+
+/// A direction of the viewer's frame in the planet's [1].
+/// @param d [1] in -1..1
+FN Vec3 realworldz_turned(IN(RealworldzView) view, Vec3 d) {
+  return Vec3(d.x * view.east.x + d.y * view.north.x + d.z * view.up.x, d.x * view.east.y + d.y * view.north.y + d.z * view.up.y,
+              d.x * view.east.z + d.y * view.north.z + d.z * view.up.z);
+}
+
+/// Transmittance of the sky's air on the 65 rings around the viewer.
+FN Vec4 realworldz_rings_pass(IN(Realworldz) rw, IN(Observer) observer, Vec2 uv) {
+  return Vec4(realworldz_rings(rw, Float(observer.altitude), floor(uv.x * 65.0)));
+}
+
+/// Place of a direction in the cube map of stars [texel], a face's texels being `size` wide without their border.
+/// @param d [1] in -0.577..0.577
+/// @param size [texel] in 16..1024
+/// @bound 1.0 scale 1e4   which face at their edges is a decision
+FN Vec2 realworldz_star_texel(Vec3 d, Scalar size) {
+  Vec3 a = Vec3(abs(d.x), abs(d.y), abs(d.z));
+  Bool x = (a.x >= a.y) && (a.x >= a.z);
+  Bool y = !x && (a.y >= a.z);
+  Float major = select(x, d.x, select(y, d.y, d.z));
+  Float s = select(x, d.y, select(y, d.z, d.x));
+  Float t = select(x, d.z, select(y, d.x, d.y));
+  Float face = select(x, Float(0.0), select(y, Float(2.0), Float(4.0))) + select(major < 0.0, Float(1.0), Float(0.0));
+  Float per = 1.0 / max(abs(major), 1.0e-6);
+  return Vec2(face * (size + 2.0) + 0.5 + (0.5 + 0.5 * s * per) * size, 0.5 + (0.5 + 0.5 * t * per) * size);
+}
+
+/// Stars in a direction [1]; w: how dark it is there, 0 for bright stars.
+FN Vec4 realworldz_stars(Table2 stars, Scalar gain, Vec3 d) {
+  Scalar size = height_of(stars) - 2.0;
+  Vec2 at = realworldz_star_texel(d, size);
+  // Texel i of a face stands at i + 1 in its bordered face: half a texel of the lookup's own is added.
+  Vec4 light = lookup(stars, Vec2((at.x + 0.5) * (1.0 / width_of(stars)), (at.y + 0.5) * (1.0 / height_of(stars)))) * gain;
+  Float bright = 0.2126 * light.x + 0.7152 * light.y + 0.0722 * light.z;
+  return Vec4(light.x, light.y, light.z, 1.0 - min(bright, 1.0));
+}
+
+/// The sky in a direction of the viewer's frame, stars included, before fog [1].
+FN_SHARED Vec4 realworldz_sky(IN(RealworldzView) view, Table2 sky_colours, Table2 rings, Table2 stars, Vec3 d, Vec3 sun) {
+  Vec2 ring = realworldz_ring(1.0 - arc_cosine(d.z) * (2.0 / 3.14159265358979));
+  Float air = mix(fetch(rings, ring.x, Float(0.0)).x, fetch(rings, ring.x + 1.0, Float(0.0)).x, ring.y);
+  Vec4 colour = lookup(sky_colours, Vec2(realworldz_sky_u(one_minus_cos(d, sun)), air));
+  Vec4 behind = realworldz_stars(stars, view.star_gain, realworldz_turned(view, d));
+  return realworldz_fragment(colour, behind, Vec4(1.0), Vec4(0.0));
+}
+
+/// Light of the ground lit by the Sun and a little by the sky [1].
+/// @param p [m] in 3e4..4e4  in the planet's frame, as the normal and the Sun
+/// @param normal [1] in -0.577..0.577
+/// @param height [m] in 0..3e3
+/// @param sun [1] in -0.577..0.577
+FN Vec4 realworldz_lit(IN(Realworldz) rw, Vec3 p, Vec3 normal, Float height, Vec3 sun) {
+  Vec3 up = realworldz_unit(p);
+  Float steep = 1.0 - dot(normal, up);
+  Float part = height * (1.0 / max(rw.relief, 1.0));
+  Vec4 grass = Vec4(0.16, 0.22, 0.08, 0.0);
+  Vec4 rock = Vec4(0.24, 0.21, 0.18, 0.0);
+  Vec4 snow = Vec4(0.8, 0.82, 0.85, 0.0);
+  Vec4 albedo = mix(mix(grass, snow, smooth_step(0.55, 0.7, part)), rock, smooth_step(0.12, 0.35, steep));
+  // The Sun sets for the ground as it does for the eye: over 3 degrees about the horizon.
+  Float day = smooth_step(-0.05, 0.05, dot(up, sun));
+  Float direct = max(dot(normal, sun), 0.0) * day;
+  Float diffuse = 0.25 * (0.5 + 0.5 * dot(normal, up)) * smooth_step(-0.2, 0.2, dot(up, sun));
+  return albedo * (Vec4(rw.sun_light) * direct + Vec4(rw.far_light) * diffuse);
+}
+
+/// A picture, relative linear RGB.
+FN Vec4 realworldz_picture_pass(IN(Camera) camera, IN(Observer) observer, IN(Realworldz) rw, IN(RealworldzView) view, Table2 sky_colours, Table2 rings, Table2 stars, Vec2 uv) {
+  Float inside = Float(0.0);
+  Vec3 d = camera_view(camera, uv, inside);
+  Vec3 sun = Vec3(observer.sun.x, observer.sun.y, observer.sun.z);
+  Vec3 v = Vec3(Float(0.0), Float(0.0), Float(rw.ground_radius + observer.altitude));
+  Vec3 viewer = realworldz_turned(view, v);
+  Vec3 direction = realworldz_turned(view, d);
+  Float height = Float(0.0);
+  Float distance = realworldz_trace(rw, view.terrain, int(view.steps), viewer, direction, height);
+  Bool hit = distance >= 0.0;
+  Vec4 light = realworldz_sky(view, sky_colours, rings, stars, d, sun);
+  Vec3 x = viewer + direction * select(hit, distance, 10.0 * rw.top_radius);
+  Vec3 fog = realworldz_fog_anywhere(rw, x, viewer);
+  if (any(hit)) {
+    Vec3 normal = realworldz_normal(rw, view.terrain, x);
+    light = select(hit, realworldz_lit(rw, x, normal, height, realworldz_turned(view, sun)), light);
+  }
+  light = light * realworldz_extinction(rw, fog.z) + Vec4(rw.far_light) * fog.z;
+  if (view.show > 0.5) light = Vec4(fog.z);
+  return Vec4(light.x * inside, light.y * inside, light.z * inside, Float(1.0));
+}
+
+/// The sky's light along rays; what fog leaves at their ends; no ground: relative linear RGB. A finite distance gives fog alone.
+FN Vec4 realworldz_rays_pass(IN(Realworldz) rw, IN(RealworldzView) view, Table2 sky_colours, Table2 stars, Table2 eyes, Table2 suns, Vec2 uv, OUT(Vec4) transmittance, OUT(Vec4) ground) {
+  Vec4 eye = fetch_same(eyes, uv);
+  Vec4 at = fetch_same(suns, uv);
+  Vec3 d = Vec3(eye.y, eye.z, eye.w);
+  Vec3 viewer = Vec3(Float(0.0), Float(0.0), rw.ground_radius + eye.x);
+  Vec3 x = viewer + d * min(at.x, 10.0 * rw.top_radius);
+  Vec3 fog = realworldz_fog_anywhere(rw, x, viewer);
+  transmittance = realworldz_extinction(rw, fog.z);
+  ground = Vec4(0.0);
+  Vec4 colour = lookup(sky_colours, Vec2(realworldz_sky_u(one_minus_cos(d, Vec3(at.y, at.z, at.w))), exp(-realworldz_sky_depth(rw, eye.x, d.z))));
+  colour = realworldz_fragment(colour, realworldz_stars(stars, view.star_gain, realworldz_turned(view, d)), transmittance, Vec4(0.0));
+  return select(at.x < 1.0e12, Vec4(0.0), colour) + Vec4(rw.far_light) * fog.z;
+}

@@ -1,0 +1,80 @@
+#include "model/realworldz_stars.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+#include <sstream>
+#include <string>
+
+#include "airlight/sky.h"
+#include "optics/colour.h"
+#include "optics/shipped_data.h"
+
+namespace airlight {
+
+const std::vector<Star>& star_catalogue() {
+  static const std::vector<Star> stars = [] {
+    std::vector<Star> read;
+    std::istringstream csv{std::string(shipped_text("stars.csv"))};
+    for (std::string line; std::getline(csv, line);) {
+      double ascension = 0, declination = 0, magnitude = 0, colour_index = 0;
+      if (std::sscanf(line.c_str(), "%lf,%lf,%lf,%lf", &ascension, &declination, &magnitude, &colour_index) != 4)
+        continue;
+      ascension *= std::numbers::pi / 180, declination *= std::numbers::pi / 180;
+      read.push_back({{std::cos(declination) * std::cos(ascension), std::cos(declination) * std::sin(ascension),
+                       std::sin(declination)},
+                      magnitude,
+                      colour_index});
+    }
+    return read;
+  }();
+  return stars;
+}
+
+std::array<double, 3> star_colour(double colour_index) {
+  // Ballesteros 2012 (EPL 97, 34008), equation 14, for black bodies seen through the B and V filters.
+  const double b_v = std::clamp(colour_index, -0.4, 2.0),
+               temperature = 4600 * (1 / (0.92 * b_v + 1.7) + 1 / (0.92 * b_v + 0.62));
+  const std::vector<double> wavelengths = photometric_wavelengths();
+  std::vector<double> spectrum;
+  for (double nm : wavelengths) {
+    // Planck's law but for a factor; 1.438777e7 nm K is its second radiation constant.
+    spectrum.push_back(std::pow(nm / 500, -5) / std::expm1(1.438777e7 / (nm * temperature)));
+  }
+  const auto xyz = spectrum_to_xyz(wavelengths, spectrum);
+  std::array<double, 3> rgb = xyz_to_srgb({xyz[0], xyz[1], xyz[2]});
+  for (double& c : rgb) c = std::max(c, 0.0);
+  const double luminance = 0.2126 * rgb[0] + 0.7152 * rgb[1] + 0.0722 * rgb[2];
+  for (double& c : rgb) c /= luminance;
+  return rgb;
+}
+
+StarMap star_map(int size) {
+  const int height = size + 2, width = 6 * height;
+  StarMap map{{width, height}, std::vector<double>(4 * std::size_t(width) * std::size_t(height))};
+  for (const Star& star : star_catalogue()) {
+    const auto colour = star_colour(star.colour_index);
+    const double light = std::pow(10, -0.4 * star.magnitude);
+    for (int face = 0; face < 6; ++face) {
+      const auto axis = std::size_t(face / 2);
+      const double major = star.direction[axis] * (face % 2 ? -1 : 1);
+      if (major <= 0.1) continue;
+      // The other two axes in their cyclic order, as kernels/realworldz/picture.glsl has them.
+      const double s = star.direction[(axis + 1) % 3] / major, t = star.direction[(axis + 2) % 3] / major;
+      const double x = (0.5 + 0.5 * s) * size + 0.5, y = (0.5 + 0.5 * t) * size + 0.5;  // texel 0 is the border
+      const double texel_solid_angle = 4.0 / (double(size) * size) / std::pow(1 + s * s + t * t, 1.5);
+      for (int corner = 0; corner < 4; ++corner) {
+        const double i = std::floor(x) + corner % 2, j = std::floor(y) + corner / 2;
+        if (i < 0 || j < 0 || i >= height || j >= height) continue;  // seen on another face
+        const double part = (1 - std::abs(x - i)) * (1 - std::abs(y - j)) * light / texel_solid_angle;
+        double* const texel =
+            &map.rgba[4 * (std::size_t(j) * std::size_t(width) + std::size_t(face * height) + std::size_t(i))];
+        for (std::size_t c = 0; c < 3; ++c) texel[c] += part * colour[c];
+      }
+    }
+  }
+  return map;
+}
+
+}  // namespace airlight
