@@ -11,6 +11,7 @@ using Command = std::function<int()>;
 // Each adds its subcommand; when the command line names it, `chosen` becomes what to run.
 void add_sky(CLI::App& app, Command& chosen);
 void add_render(CLI::App& app, Command& chosen);
+void add_compare(CLI::App& app, Command& chosen);
 void add_haze(CLI::App& app, Command& chosen);
 void add_sequence(CLI::App& app, Command& chosen);
 void add_tables(CLI::App& app, Command& chosen);

@@ -23,6 +23,7 @@ int run(int argc, char** argv) {
   Command chosen;
   add_sky(app, chosen);
   add_render(app, chosen);
+  add_compare(app, chosen);
   add_haze(app, chosen);
   add_sequence(app, chosen);
   add_tables(app, chosen);

@@ -70,12 +70,9 @@ SceneOptions scene_options(const Scene& scene, bool sun_disc) {
 
 }  // namespace
 
-void ScenePictureOptions::add_to(CLI::App& app) {
-  app.add_option("--aov", aov,
-                 "layers of an .exr, which then is of 32-bit floats: all, or surface,transmittance,inscatter,depth,"
-                 "position,normal,albedo,sun_visibility,sky_irradiance")
-      ->type_name("LIST");
-  const char* const instead = "Instead of what the scene says";
+constexpr char instead[] = "Instead of what the scene says";
+
+void ScenePictureOptions::add_picture_to(CLI::App& app) {
   app.add_option("--size", size, "pixels, 1 .. 16384 a side, or the width alone")->group(instead)->type_name("WxH");
   app.add_option("--samples", samples, "rays a pixel, a square number [1 .. 256]")->group(instead)->type_name("N");
   app.add_option("--exposure", exposure,
@@ -83,13 +80,21 @@ void ScenePictureOptions::add_to(CLI::App& app) {
       ->group(instead)
       ->type_name("EV");
   app.add_option("--tone", tone, "tone curve of a .png: filmic, reinhard")->group(instead)->type_name("NAME");
+  app.add_flag("--float", full_float, "32-bit .exr in place of half floats, which end at 65504 cd/m2");
+  app.add_flag("--no-sun", no_sun, "leave the sun's disc out");
+  add_engine(app, engine);
+}
+
+void ScenePictureOptions::add_to(CLI::App& app) {
+  app.add_option("--aov", aov,
+                 "layers of an .exr, which then is of 32-bit floats: all, or surface,transmittance,inscatter,depth,"
+                 "position,normal,albedo,sun_visibility,sky_irradiance")
+      ->type_name("LIST");
   app.add_option("--model", model, "model of the sky (shadows in the air need skyview)")
       ->group(instead)
       ->type_name("NAME");
   app.add_flag("--no-air-shadows", no_air_shadows, "land casts no shadows into the air")->group(instead);
-  app.add_flag("--float", full_float, "32-bit .exr in place of half floats, which end at 65504 cd/m2");
-  app.add_flag("--no-sun", no_sun, "leave the sun's disc out");
-  add_engine(app, engine);
+  add_picture_to(app);
 }
 
 void ScenePictureOptions::apply(Scene& scene) const {
@@ -160,20 +165,22 @@ SceneShot::SceneShot(const Scene& scene, std::shared_ptr<const Land> land, std::
 void SceneShot::paint(PictureOutputs& files, const std::vector<Layer>& layers,
                       const std::function<void(double)>& progress) const {
   std::vector<float> rgba;
-  const bool whole = renderer_.render([&](const SceneRows& rows) {
-    rgba.resize(4 * (rows.rgb.size() / 3));
-    for (std::size_t i = 0; i < rows.rgb.size() / 3; ++i) {
-      std::copy_n(&rows.rgb[3 * i], 3, &rgba[4 * i]);
-      rgba[4 * i + 3] = 1;
-    }
-    std::vector<LayerRows> planes;
-    for (const Layer& layer : layers)
-      for (std::size_t c = 0; c < layer.channels.size(); ++c)
-        planes.push_back({(rows.*layer.values).data() + c, layer.channels.size()});
-    files.write(rows.begin, rows.end, rgba, planes);
-    progress(double(rows.end) / height_);
-    return !interrupted();
-  }, !layers.empty());
+  const bool whole = renderer_.render(
+      [&](const SceneRows& rows) {
+        rgba.resize(4 * (rows.rgb.size() / 3));
+        for (std::size_t i = 0; i < rows.rgb.size() / 3; ++i) {
+          std::copy_n(&rows.rgb[3 * i], 3, &rgba[4 * i]);
+          rgba[4 * i + 3] = 1;
+        }
+        std::vector<LayerRows> planes;
+        for (const Layer& layer : layers)
+          for (std::size_t c = 0; c < layer.channels.size(); ++c)
+            planes.push_back({(rows.*layer.values).data() + c, layer.channels.size()});
+        files.write(rows.begin, rows.end, rgba, planes);
+        progress(double(rows.end) / height_);
+        return !interrupted();
+      },
+      !layers.empty());
   if (!whole) throw Interrupted{};
   check_interrupt();
   files.finish();

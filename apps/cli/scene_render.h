@@ -30,6 +30,8 @@ struct ScenePictureOptions {
   bool full_float = false, no_air_shadows = false, no_sun = false;
 
   void add_to(CLI::App& app);
+  /// Those that concern the picture itself: not its layers, not the model.
+  void add_picture_to(CLI::App& app);
   /// @throws InputError
   void apply(Scene& scene) const;
   std::vector<Layer> layers() const;  ///< @throws InputError with "did you mean"

@@ -1,5 +1,7 @@
 // The module that holds OpenImageIO; see whole_picture.h.
 #include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/imagebuf.h>
+#include <OpenImageIO/imagebufalgo.h>
 #include <OpenImageIO/imageio.h>
 
 #include "airlight/error.h"
@@ -53,6 +55,18 @@ extern "C" std::vector<unsigned char> airlight_encode_picture(const WholePicture
   std::vector<unsigned char> file = std::move(memory.buffer());
   if (picture.format == "hdr") insert_comments(file, picture.metadata);
   return file;
+}
+
+extern "C" void airlight_draw_text(std::span<std::uint8_t> rgb, int width, int height, int x, int y, int size,
+                                   const std::string& text) {
+  OIIO::ImageBuf picture(OIIO::ImageSpec(width, height, 3, OIIO::TypeDesc::UINT8), rgb.data());
+  // Where Debian's package fonts-dejavu-core puts it; elsewhere OpenImageIO searches for the name.
+  const std::string debian = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
+  const std::string font = OIIO::Filesystem::exists(debian) ? debian : "DejaVuSans";
+  constexpr float white[] = {0.95f, 0.95f, 0.95f};
+  if (!OIIO::ImageBufAlgo::render_text(picture, x, y, text, size, font, white))
+    throw WorkError("cannot draw words (the font DejaVu Sans is in the package fonts-dejavu-core): " +
+                    picture.geterror());
 }
 
 }  // namespace airlight

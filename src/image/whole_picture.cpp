@@ -10,4 +10,10 @@ EncodePicture& encode_picture() {
   return *function;
 }
 
+DrawText& draw_text() {
+  static DrawText* const function = reinterpret_cast<DrawText*>(
+      load_from_module("airlight_openimageio", draw_text_symbol, "words in pictures need OpenImageIO"));
+  return *function;
+}
+
 }  // namespace airlight

@@ -23,7 +23,13 @@ struct WholePicture {
 using EncodePicture = std::vector<unsigned char>(const WholePicture& picture);
 inline constexpr char encode_picture_symbol[] = "airlight_encode_picture";
 
-/// The module's function. @throws WorkError where the module cannot be loaded.
+/// White words drawn into 8-bit RGB, from a baseline's left end. @throws WorkError where there is no font.
+using DrawText = void(std::span<std::uint8_t> rgb, int width, int height, int x, int y, int size,
+                      const std::string& text);
+inline constexpr char draw_text_symbol[] = "airlight_draw_text";
+
+/// The module's functions. @throws WorkError where the module cannot be loaded.
 EncodePicture& encode_picture();
+DrawText& draw_text();
 
 }  // namespace airlight

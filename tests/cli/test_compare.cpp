@@ -1,0 +1,90 @@
+// `airlight compare`: the table says what the pictures show, and bad words are refused before anything is written.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "mountains.h"
+#include "read_picture.h"
+#include "run_program.h"
+
+namespace airlight {
+namespace {
+
+const std::string scene_text = mountains("height_above_ground = 300");
+
+/// The row of a model, numbers in the order of the table's head.
+std::vector<double> row_of(const std::string& csv, const std::string& model) {
+  std::istringstream lines(csv);
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.starts_with(model + ",")) continue;
+    std::vector<double> numbers;
+    std::istringstream fields(line.substr(model.size() + 1));
+    for (std::string field; std::getline(fields, field, ',');) numbers.push_back(std::stod(field));
+    return numbers;
+  }
+  return {};
+}
+
+TEST(Compare, the_table_tells_the_pictures_differences) {
+  const Folder folder;
+  write_file(folder / "scene.toml", scene_text);
+  const Outcome outcome = run(folder, {"compare", "scene.toml", "--models", "skyview", "-o", "out", "--float"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  for (const char* file : {"single.exr", "single.png", "skyview.exr", "skyview.png", "skyview_difference.png",
+                           "contact_sheet.png", "compare.csv", "compare.md"})
+    EXPECT_TRUE(std::filesystem::exists(folder / (std::string("out/") + file))) << file;
+  const Picture single = read_picture(folder / "out/single.exr"), skyview = read_picture(folder / "out/skyview.exr");
+  double brightest = 0;
+  for (int y = 0; y < 36; ++y)
+    for (int x = 0; x < 64; ++x) brightest = std::max(brightest, double(single.luminance(x, y)));
+  std::vector<double> errors;
+  double sum = 0;
+  for (int y = 0; y < 36; ++y) {
+    for (int x = 0; x < 64; ++x) {
+      const double b = double(single.luminance(x, y));
+      errors.push_back((double(skyview.luminance(x, y)) - b) / std::max(b, 1e-4 * brightest));
+      sum += errors.back();
+    }
+  }
+  for (double& e : errors) e = std::abs(e);
+  std::sort(errors.begin(), errors.end());
+  const std::string csv = read_file(folder / "out/compare.csv");
+  const std::vector<double> own = row_of(csv, "single"), other = row_of(csv, "skyview");
+  ASSERT_EQ(own.size(), 8u);
+  ASSERT_EQ(other.size(), 8u);
+  for (std::size_t i = 0; i < 5; ++i) EXPECT_EQ(own[i], 0) << "the yardstick differs not from itself";
+  // The table is rounded to 0.01; the index of a quantile of 2304 values is exact.
+  EXPECT_NEAR(other[0], 100 * errors[std::size_t(0.5 * double(errors.size() - 1))], 0.011);
+  EXPECT_NEAR(other[1], 100 * errors[std::size_t(0.95 * double(errors.size() - 1))], 0.011);
+  EXPECT_NEAR(other[2], 100 * errors.back(), 0.011);
+  EXPECT_NEAR(other[3], 100 * sum / double(errors.size()), 0.011);
+  EXPECT_GT(other[3], 5) << "light of higher orders is missing from single";
+  EXPECT_GT(other[7], 0);
+  // Two rows of two pictures, words below.
+  const Picture sheet = read_picture(folder / "out/contact_sheet.png");
+  EXPECT_GT(sheet.width, 2 * 64);
+  EXPECT_GT(sheet.height, 2 * 36 + 2 * 30);
+  EXPECT_TRUE(read_file(folder / "out/compare.md").starts_with("| model "));
+}
+
+TEST(Compare, bad_words_are_named_and_nothing_is_written) {
+  const Folder folder;
+  write_file(folder / "scene.toml", scene_text);
+  const auto refused = [&](std::vector<std::string> words, const std::string& why) {
+    words.insert(words.begin(), {"compare", "scene.toml", "-o", "out"});
+    const Outcome outcome = run(folder, words);
+    EXPECT_EQ(outcome.code, 2) << outcome.err;
+    EXPECT_NE(outcome.err.find(why), std::string::npos) << outcome.err;
+    EXPECT_EQ(folder.names().size(), 1u);
+  };
+  refused({"--models", "single,skyveiw"}, "skyview");
+  refused({"--models", "single,"}, "--models");
+  refused({"--models", "skyview,skyview"}, "twice");
+  refused({"--yardstick", "truth"}, "--yardstick");
+  refused({"--scale", "0"}, "--scale");
+}
+
+}  // namespace
+}  // namespace airlight
