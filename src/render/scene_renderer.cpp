@@ -254,7 +254,11 @@ struct SceneRenderer::Impl {
       p.sun_zenith_cosine = mu_s;
       p.sun_cosine = cosine;
       p.normal = {nx, std::sqrt(std::max(1 - nz * nz - nx * nx, 0.0)), nz};
-      p.sun_visibility = std::clamp(double(s.sun_visibility[j]), 0.0, 1.0);
+      // The air's own sunlight knows the planet's horizon: land takes a part of what that leaves.
+      const double above = mu_s > 0.2 ? 1
+                                      : disc_above_sphere(mu_s, hit.ground.altitude, land->frame().radius(),
+                                                          sky.atmosphere().sun.angular_radius);
+      p.sun_visibility = above > 0 ? std::clamp(double(s.sun_visibility[j]) / above, 0.0, 1.0) : 0.0;
       p.sky_view = hit.mesh ? sky_seen(hit.ground) : 1.0;
     });
     constexpr std::size_t lanes = SurfaceColour::lanes;

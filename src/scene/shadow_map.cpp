@@ -69,6 +69,11 @@ double disc_fraction(double height) {
   return (std::acos(h) - h * std::sqrt(1 - h * h)) / std::numbers::pi;
 }
 
+double disc_above_sphere(double sun_zenith_cosine, double altitude, double radius, double angular_radius) {
+  const double h = std::max(altitude, 0.0), dip = std::atan2(std::sqrt(h * (2 * radius + h)), radius);
+  return disc_fraction(-(std::asin(std::clamp(sun_zenith_cosine, -1.0, 1.0)) + dip) / std::max(angular_radius, 1e-9));
+}
+
 ShadowMap shadow_map(const Land& land, const Direction& sun, double angular_radius, const ShadowGrid& grid) {
   if (grid.cells < 2 || !(grid.half_width > 0))
     throw InputError("a shadow map needs at least 2 x 2 cells of some width");

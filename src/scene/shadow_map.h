@@ -44,4 +44,10 @@ ShadowMap shadow_map(const Land& land, const Direction& sun, double angular_radi
 /// Part of a disc above a level line at `height` (-1: below the disc, 1: above it) in disc radii.
 double disc_fraction(double height);
 
+/// Part of the sun's disc above a sphere's horizon, from an altitude [m] over it.
+/// @param sun_zenith_cosine  of the sun's centre
+/// @param radius             of the sphere [m]
+/// @param angular_radius     of the sun [rad]
+double disc_above_sphere(double sun_zenith_cosine, double altitude, double radius, double angular_radius);
+
 }  // namespace airlight

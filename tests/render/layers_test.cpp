@@ -70,6 +70,26 @@ TEST_F(Layers, depth_position_and_normal_belong_together) {
   }
 }
 
+TEST(SunVisibility, of_a_plain_is_what_the_planet_leaves_of_the_disc) {
+  const Sky sky(built_in_atmosphere("earth"), "skyview");
+  const auto land = plain();
+  for (const double elevation : {-0.4, -0.1, 0.0, 0.15, 0.5}) {
+    const Direction sun = direction(40 * deg, elevation * deg);
+    const SceneRenderer renderer(sky, land, {}, view_from(*land, 0, 0, 50, 30, -20, sun), {});
+    const SceneRows rows = whole(renderer);
+    for (std::size_t p = 0; p < rows.depth.size(); p += 7) {
+      if (!(rows.depth[p] < 2000)) continue;
+      const Position at{double(rows.position[3 * p]), double(rows.position[3 * p + 1]),
+                        double(rows.position[3 * p + 2])};
+      const Direction up = land->frame().up(at);
+      const double mu_s = up[0] * sun[0] + up[1] * sun[1] + up[2] * sun[2];
+      const double above = disc_above_sphere(mu_s, 0, land->frame().radius(), sky.atmosphere().sun.angular_radius);
+      // The horizon's height on the disc is found to 1/64, and triangles' chords lie below the sphere.
+      ASSERT_NEAR(rows.sun_visibility[p], above, 0.04) << elevation;
+    }
+  }
+}
+
 TEST_F(Layers, more_samples_give_the_same_picture_smoother) {
   const SceneRows one = whole(SceneRenderer(sky, land, {}, view, {}));
   SceneOptions options;
