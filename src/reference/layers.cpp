@@ -19,8 +19,9 @@ Layers::Layers(const Atmosphere& atmosphere)
   scales_.push_back({0, 0});
   for (const Constituent& constituent : atmosphere.constituents) {
     tolerances.push_back(precision * top * mean_density(constituent.profile, 0, top));
-    cubics_.push_back({density(constituent.profile, 0), 0, 0, 0});
+    cubics_.push_back(density(constituent.profile, 0));
   }
+  cubics_.resize(4 * cubics_.size(), 0.0);
   for (std::size_t i = 1; i < edges.size(); ++i) add_layers(atmosphere, edges[i - 1], edges[i], tolerances, 0);
 }
 
@@ -37,9 +38,10 @@ void Layers::add_layers(const Atmosphere& atmosphere, double bottom, double top,
   constexpr double relative = 2e-5, negligible = 1e-2;
   // Through the four Chebyshev points, whose error is nearly the smallest of all cubics.
   const double outer = std::cos(std::numbers::pi / 8), inner = std::sin(std::numbers::pi / 8);
-  std::vector<Cubic> cubics;
+  const std::size_t count = atmosphere.constituents.size();
+  std::vector<double> cubics(4 * count, 0.0);
   bool good = true;
-  for (std::size_t c = 0; c < atmosphere.constituents.size() && good; ++c) {
+  for (std::size_t c = 0; c < count && good; ++c) {
     const Profile& profile = atmosphere.constituents[c].profile;
     const double first = density(profile, altitude(-outer)), second = density(profile, altitude(-inner)),
                  third = density(profile, altitude(inner)), fourth = density(profile, altitude(outer));
@@ -48,14 +50,14 @@ void Layers::add_layers(const Atmosphere& atmosphere, double bottom, double top,
                  slope = 0.5 * (outer * (fourth - first) + inner * (third - second)),
                  bend = 0.5 * std::numbers::sqrt2 / 2 * (first - second - third + fourth),
                  twist = 0.5 * (inner * (fourth - first) - outer * (third - second));
-    const Cubic p{middle - bend, slope - 3 * twist, 2 * bend, 4 * twist};
+    const double p[] = {middle - bend, slope - 3 * twist, 2 * bend, 4 * twist};
     for (const double x : {-0.999999, -0.97, -0.5, -0.2, 0.2, 0.5, 0.97, 0.999999}) {
-      const double value = p.at(x);
+      const double value = p[0] + x * (p[1] + x * (p[2] + x * p[3]));
       const double error = std::abs(value - density(profile, altitude(x))), weight = error * (top - bottom);
       const bool matters = weight > tolerances[c] || (error > relative * middle && weight > negligible * tolerances[c]);
       good = good && !matters;
     }
-    cubics.push_back(p);
+    for (std::size_t k = 0; k < 4; ++k) cubics[k * count + c] = p[k];
   }
   constexpr int deepest = 16;  // a density without bounded slope: stop at 2 m of 120 km
   if (!good && depth < deepest) {
@@ -64,9 +66,8 @@ void Layers::add_layers(const Atmosphere& atmosphere, double bottom, double top,
     return;
   }
   if (!good) {
-    cubics.clear();
-    for (const Constituent& constituent : atmosphere.constituents)
-      cubics.push_back({mean_density(constituent.profile, bottom, top), 0, 0, 0});
+    std::fill(cubics.begin(), cubics.end(), 0.0);
+    for (std::size_t c = 0; c < count; ++c) cubics[c] = mean_density(atmosphere.constituents[c].profile, bottom, top);
   }
   tops_.push_back(high);
   scales_.push_back({0.5 * (low + high), 2 / (high - low)});
@@ -79,8 +80,10 @@ int Layers::layer_at(double radius_squared) const {
 
 void Layers::densities(int layer, double radius_squared, std::span<double> densities) const {
   const double x = (radius_squared - scales_[layer].middle) * scales_[layer].scale;
-  const Cubic* const p = &cubics_[std::size_t(layer) * constituents_];
-  for (int c = 0; c < constituents_; ++c) densities[c] = std::max(p[c].at(x), 0.0);
+  const std::size_t count = std::size_t(constituents_);
+  const double* const p = &cubics_[std::size_t(layer) * 4 * count];
+  for (std::size_t k = 0; k < count; ++k)
+    densities[k] = std::max(p[k] + x * (p[count + k] + x * (p[2 * count + k] + x * p[3 * count + k])), 0.0);
 }
 
 void Layers::add_columns(int layer, double impact_squared, double from, double to, std::span<double> columns) const {
@@ -90,9 +93,11 @@ void Layers::add_columns(int layer, double impact_squared, double from, double t
   const double a = (m * m - (scales_[layer].middle - impact_squared)) * scale, b = 2 * m * h * scale, c = h * h * scale;
   const double bb = b * b, x = a + c / 3, x2 = a * (a + 2 * c / 3) + bb / 3 + c * c / 5,
                x3 = a * (a * (a + c) + bb + 0.6 * c * c) + c * (0.6 * bb + c * c / 7);
-  const Cubic* const p = &cubics_[std::size_t(layer) * constituents_];
-  for (int k = 0; k < constituents_; ++k)
-    columns[k] += 2 * h * (p[k].constant + x * p[k].linear + x2 * p[k].square + x3 * p[k].cube);
+  const std::size_t count = std::size_t(constituents_);
+  const double* const p = &cubics_[std::size_t(layer) * 4 * count];
+  double* __restrict const sums = columns.data();
+  for (std::size_t k = 0; k < count; ++k)
+    sums[k] += 2 * h * (p[k] + x * p[count + k] + x2 * p[2 * count + k] + x3 * p[3 * count + k]);
 }
 
 /// Visits (layer, from, to) of a line inside the air from a point in a layer on.

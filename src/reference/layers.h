@@ -61,11 +61,7 @@ class Layers {
     double middle, scale;
   };
   std::vector<Scale> scales_;
-  struct Cubic {
-    double constant, linear, square, cube;
-    double at(double x) const { return constant + x * (linear + x * (square + x * cube)); }
-  };
-  std::vector<Cubic> cubics_;  // a row of all constituents for each layer
+  std::vector<double> cubics_;  // for each layer four rows of all constituents: constant, linear, square, cube
 };
 
 }  // namespace airlight::reference

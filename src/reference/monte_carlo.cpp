@@ -37,7 +37,9 @@ MonteCarlo::MonteCarlo(const Atmosphere& atmosphere, std::span<const double> wav
     : atmosphere_(atmosphere),
       wavelengths_(wavelengths.begin(), wavelengths.end()),
       settings_(settings),
-      first_order_(settings.random_first_order || settings.uniform_light || settings.surface || settings.cloud ? 1 : 2),
+      first_order_(settings.first_order_places > 0                                                               ? 2
+                   : settings.random_first_order || settings.uniform_light || settings.surface || settings.cloud ? 1
+                                                                                                                 : 2),
       rules_(std::make_unique<const WalkRules>(atmosphere, wavelengths, settings)) {
   for (const double wavelength : wavelengths)
     sunlight_.push_back(settings.uniform_light ? 1 : atmosphere.sun.irradiance.at(wavelength));
@@ -67,7 +69,7 @@ RandomLight MonteCarlo::along(const Ray& ray, const Budget& budget, bool with_gr
 
   // The first order, where it is not left to chance; for a sun of irradiance 1 like the walks.
   std::vector<double> first_order(width, 0.0);
-  if (begin.first_order > 1) {
+  if (begin.first_order > 1 && settings_.first_order_places == 0) {
     // Far below what walks resolve.
     const SingleScattering single(atmosphere_, {.point_sun = settings_.point_sun, .tolerance = 1e-5});
     const RayLight light = single.along(ray, wavelengths_);
@@ -76,6 +78,9 @@ RandomLight MonteCarlo::along(const Ray& ray, const Budget& budget, bool with_gr
         first_order[w] = (light.path_radiance[w] + (with_ground ? light.ground_radiance[w] : 0)) / sunlight_[w];
   }
   const Flight first = Walker(*rules_).first_flight(begin);
+  WalkStart glance = begin;
+  glance.first_order = 1;
+  const Flight glancing = settings_.first_order_places > 0 ? Walker(*rules_).first_flight(glance) : Flight();
   const std::uint64_t stream = stream_of(ray, with_ground ? 1 : 2);
   RandomLight light =
       run_batches(budget, settings_.batch_walks, settings_.kept_orders, first_order,
@@ -83,6 +88,8 @@ RandomLight MonteCarlo::along(const Ray& ray, const Budget& budget, bool with_gr
                     Walker walker(*rules_);
                     for (long batch = from; batch < to; ++batch) {
                       Random random(settings_.seed, scramble(stream + std::uint64_t(batch)));
+                      walker.glance(glance, glancing, settings_.first_order_places, random,
+                                    rows.subspan((batch - from) * row, row));
                       for (int i = 0; i < settings_.batch_walks; ++i)
                         walker.walk(begin, first, (i + random()) / settings_.batch_walks, 1.0 / settings_.batch_walks,
                                     random, rows.subspan((batch - from) * row, row));

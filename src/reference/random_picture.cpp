@@ -17,12 +17,12 @@ RandomPicture::RandomPicture(PictureQuestion question)
     : question_(std::move(question)), sums_(std::size_t(question_.width) * question_.height) {}
 
 void RandomPicture::add_pass(const std::function<void(double)>& look) {
-  // The first order is drawn too: a quadrature for each pixel would cost more than all walks.
+  // The first order is drawn too, apart from the walks: a quadrature for each pixel would cost more than they do.
   const MonteCarlo solver(question_.atmosphere, question_.wavelengths,
                           {.seed = std::uint64_t(passes_) + 1,
                            .kept_orders = 1,
                            .batch_walks = walks_in_a_pass,
-                           .random_first_order = true});
+                           .first_order_places = places_in_a_pass});
   std::vector<Sums> added(sums_.size());
   std::mutex mutex;
   int rows_done = 0;

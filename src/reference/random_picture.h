@@ -25,7 +25,7 @@ struct PictureQuestion {
 /// passes' spread.
 class RandomPicture {
  public:
-  static constexpr int walks_in_a_pass = 32;
+  static constexpr int walks_in_a_pass = 8, places_in_a_pass = 32;
 
   explicit RandomPicture(PictureQuestion question);
 

@@ -68,21 +68,36 @@ double Walker::cloud_light(const WalkStart& start, const Flight& flight, const P
   return light_at(start, along(from.position, begin, from.direction));
 }
 
-void Walker::walk(const WalkStart& start, const Flight& first, double where, double weight, Random& random,
-                  std::span<double> light) {
+void Walker::set_out(const WalkStart& start, const Flight& first, double weight) {
   std::fill(weights_.begin(), weights_.end(), weight);
   const double from_cloud = cloud_light(start, first, start.place);
   for (std::size_t g = 0; g < importance_.size(); ++g) {
     const double promised = first.light()[g] + from_cloud;
     importance_[g] = promised > 0 ? 1 / (promised * weight * double(importance_.size())) : 0;
   }
+}
+
+void Walker::glance(const WalkStart& start, const Flight& first, int places, Random& random, std::span<double> light) {
+  const double turn = random();
+  for (int i = 0; i < places; ++i) {
+    set_out(start, first, 1.0 / places);
+    // Heroes change from place to place by the golden section, so that each has places of all kinds.
+    const double hero = turn + i * std::numbers::phi;
+    if (move(start, start.place, first, hero - std::floor(hero), (i + random()) / places, random))
+      add_sunlight(start, 1, random, light);
+  }
+}
+
+void Walker::walk(const WalkStart& start, const Flight& first, double where, double weight, Random& random,
+                  std::span<double> light) {
+  set_out(start, first, weight);
   if (rules_.uniform_light && std::isinf(start.distance)) add_light_of_space(start.place, first, 1, random, light);
-  if (!move(start, start.place, first, where, random)) return;
+  if (!move(start, start.place, first, random(), where, random)) return;
   for (int order = 1;; ++order) {
     if (order >= start.first_order && !rules_.uniform_light) add_sunlight(start, order, random, light);
     if (order == rules_.max_order || !turn(start, order, random)) return;
     if (rules_.uniform_light) add_light_of_space({position_, direction_}, flight_, order, random, light);
-    if (!move(start, {position_, direction_}, flight_, random(), random)) return;
+    if (!move(start, {position_, direction_}, flight_, random(), random(), random)) return;
   }
 }
 
@@ -91,11 +106,12 @@ std::span<double> Walker::row(int order, std::span<double> light) const {
 }
 
 /// Goes along a flight to the next place. @returns false where no light can come from there.
-bool Walker::move(const WalkStart& start, const Place& from, const Flight& flight, double where, Random& random) {
+bool Walker::move(const WalkStart& start, const Place& from, const Flight& flight, double hero, double where,
+                  Random& random) {
   rules_.optics.hero_values(weights_, hero_weights_);
   for (std::size_t g = 0; g < hero_weights_.size(); ++g) hero_weights_[g] *= importance_[g];
-  if (rules_.cloud ? !draw_with_cloud(start, from, flight, where, random)
-                   : !flight.draw(rules_.layers, rules_.optics, hero_weights_, random(), where, event_))
+  if (rules_.cloud ? !draw_with_cloud(start, from, flight, hero, where, random)
+                   : !flight.draw(rules_.layers, rules_.optics, hero_weights_, hero, where, event_))
     return false;
   for (std::size_t w = 0; w < weights_.size(); ++w)
     weights_[w] *= std::exp(-rules_.optics.optical_depth(event_.columns, w)) / event_.density;
@@ -117,7 +133,7 @@ bool Walker::move(const WalkStart& start, const Place& from, const Flight& fligh
 
 /// The next place among air and cloud. With t where the cloud is met, at random, the light along the line is the mean of
 /// what air scatters before t and of what the cloud scatters at t, seen through air. One of the two is chosen.
-bool Walker::draw_with_cloud(const WalkStart& start, const Place& from, const Flight& flight, double where,
+bool Walker::draw_with_cloud(const WalkStart& start, const Place& from, const Flight& flight, double hero, double where,
                              Random& random) {
   const Optics& optics = rules_.optics;
   const double met = draw_collision(*rules_.cloud, from, flight.reach(), random);
@@ -146,7 +162,7 @@ bool Walker::draw_with_cloud(const WalkStart& start, const Place& from, const Fl
       return true;
     }
   }
-  if (!air->draw(rules_.layers, optics, hero_weights_, random(), where, event_)) return false;
+  if (!air->draw(rules_.layers, optics, hero_weights_, hero, where, event_)) return false;
   event_.density *= chance;
   event_.densities.resize(optics.scatterers, 0.0);
   return true;
@@ -225,7 +241,7 @@ Vector Walker::draw_direction(const WalkStart& start, const std::optional<SkyAro
   std::size_t chosen = 0;
   while (chosen + 1 < shares_.size() && (left -= shares_[chosen]) >= 0) ++chosen;
   // Light that is scattered sharply forward is found around the direction of looking, and around the sun.
-  const bool sun_is_up = sky && dot(position_, start.sun) > -0.02 * length(position_);
+  const bool sun_is_up = sky && dot(position_, start.sun) > -0.25 * length(position_);
   const double around_sun = sun_is_up ? 0.3 * (1 - by_sky) : 0;
   const double technique = random();
   Vector direction;
@@ -259,12 +275,12 @@ bool Walker::turn(const WalkStart& start, int order, Random& random) {
   // A long walk through a cloud goes where droplets send it: weights that change a little at each place would drift
   // far apart.
   constexpr int last_guided = 6;
-  const int candidates = order <= last_guided ? rules_.candidates : 1;
+  const bool guided = !rules_.cloud || order <= last_guided;
+  const int candidates = guided ? rules_.candidates : 1;
   const Optics& optics = rules_.optics;
   rules_.optics.hero_values(weights_, hero_weights_);
   for (std::size_t g = 0; g < hero_weights_.size(); ++g) hero_weights_[g] *= importance_[g];
-  const std::optional<SkyAround> sky =
-      order <= last_guided ? rules_.guide.around(position_, start.sun) : std::nullopt;
+  const std::optional<SkyAround> sky = guided ? rules_.guide.around(position_, start.sun) : std::nullopt;
   double sum = 0, taken = 0;
   Vector direction{};
   for (int i = 0; i < candidates; ++i) {

@@ -49,13 +49,18 @@ class Walker {
   void walk(const WalkStart& start, const Flight& first, double where, double weight, Random& random,
             std::span<double> light);
 
+  /// Adds an estimate of the first order alone, from places spread evenly over the chances of the flight.
+  void glance(const WalkStart& start, const Flight& first, int places, Random& random, std::span<double> light);
+
  private:
+  void set_out(const WalkStart& start, const Flight& first, double weight);
   void aim(Flight& flight, const WalkStart& start, const Place& from, double distance, bool scattered_only,
            bool count_ground) const;
   double light_at(const WalkStart& start, const Vector& position) const;
   double cloud_light(const WalkStart& start, const Flight& flight, const Place& from) const;
-  bool draw_with_cloud(const WalkStart& start, const Place& from, const Flight& flight, double where, Random& random);
-  bool move(const WalkStart& start, const Place& from, const Flight& flight, double where, Random& random);
+  bool draw_with_cloud(const WalkStart& start, const Place& from, const Flight& flight, double hero, double where,
+                       Random& random);
+  bool move(const WalkStart& start, const Place& from, const Flight& flight, double hero, double where, Random& random);
   void add_sunlight(const WalkStart& start, int order, Random& random, std::span<double> light);
   void add_light_of_space(const Place& from, const Flight& flight, int order, Random& random, std::span<double> light);
   bool turn(const WalkStart& start, int order, Random& random);
