@@ -98,9 +98,8 @@ struct SceneRenderer::Impl {
       ShadowGrid grid = options.shadow_grid;
       grid.east = eye[0];
       grid.north = eye[1];
-      // A pixel's samples look at different places of their rays, so each may look at fewer.
-      const int steps = std::max(8, int(std::lround(options.shadow_steps / std::sqrt(samples))));
-      shadows = air_shadows(shadow_map(*land, view.sun, air.sun.angular_radius, grid), view.camera, steps);
+      shadows =
+          air_shadows(shadow_map(*land, view.sun, air.sun.angular_radius, grid), view.camera, options.shadow_steps);
     }
     for (const Xyz& weight : colour_weights(air, wavelengths)) to_rgb.push_back(xyz_to_srgb(weight));
     for (std::size_t k = 0; k < 4; ++k) {
@@ -145,8 +144,11 @@ struct SceneRenderer::Impl {
     std::vector<char> inside;
     std::vector<SceneRay> rays;
     std::vector<TerrainHit> hits;
-    std::vector<double> inscatter, transmittance;  // 4 a sample
-    std::vector<int> nth_on_ground;                // place in the lists below; -1: the sky
+    std::vector<int> nth_on_ground;  // place in the ground's lists; -1: the sky
+    std::vector<int> nth_in_air;     // place in the air's lists
+    // The air before samples; those of a pixel that lie equally far off share it.
+    std::vector<Sight> air;
+    std::vector<double> inscatter, transmittance;  // 4 each
     // Of those on the ground alone.
     std::vector<std::size_t> on_ground;
     std::vector<SunQuestion> questions;
@@ -191,9 +193,39 @@ struct SceneRenderer::Impl {
     }
     shade(s);
 
-    s.inscatter.resize(4 * count);
-    s.transmittance.resize(4 * count);
-    sky.haze(altitude, sun_at_eye, s.sights, wavelengths, shadows ? &*shadows : nullptr, s.inscatter, s.transmittance);
+    share_air(s);
+    s.inscatter.resize(4 * s.air.size());
+    s.transmittance.resize(4 * s.air.size());
+    sky.haze(altitude, sun_at_eye, s.air, wavelengths, shadows ? &*shadows : nullptr, s.inscatter, s.transmittance);
+  }
+
+  // Light and transmittance of the air are smooth: over a pixel whose samples' distances differ by a fiftieth at most, those of its
+  // middle differ from the samples' mean by less than a thousandth.
+  void share_air(Samples& s) const {
+    constexpr double alike = 1.02;
+    const std::size_t count = s.sights.size(), per_pixel = std::min(std::size_t(samples), count);
+    s.air.clear();
+    s.nth_in_air.resize(count);
+    for (std::size_t first = 0; first < count; first += per_pixel) {
+      const auto pixel = std::span(s.sights).subspan(first, per_pixel);
+      Sight middle{{0, 0, 0}, 0, pixel[0].offset};
+      double near = pixel[0].distance, far = near;
+      bool whole = true;
+      for (std::size_t i = 0; i < per_pixel; ++i) {
+        near = std::min(near, pixel[i].distance), far = std::max(far, pixel[i].distance);
+        whole = whole && s.inside[first + i];
+        for (std::size_t c = 0; c < 3; ++c) middle.view[c] += pixel[i].view[c];
+        middle.distance += pixel[i].distance / double(per_pixel);
+      }
+      const bool shared = whole && (near == far || far <= alike * near);
+      for (std::size_t i = 0; i < per_pixel; ++i) s.nth_in_air[first + i] = int(s.air.size() + (shared ? 0 : i));
+      if (shared) {
+        middle.view = unit(middle.view);
+        s.air.push_back(middle);
+      } else {
+        s.air.insert(s.air.end(), pixel.begin(), pixel.end());
+      }
+    }
   }
 
   // What comes from the far end of a sample's line of sight: light of the ground, or of the Sun.
@@ -283,7 +315,9 @@ struct SceneRenderer::Impl {
       for (std::size_t i = p * per_pixel; i < (p + 1) * per_pixel; ++i) {
         if (!s.inside[i]) continue;
         const std::array<double, 4> light = behind(s, i);
-        for (std::size_t k = 0; k < 4; ++k) seen[k] += s.inscatter[4 * i + k] + light[k] * s.transmittance[4 * i + k];
+        const double *inscatter = &s.inscatter[4 * std::size_t(s.nth_in_air[i])],
+                     *transmittance = &s.transmittance[4 * std::size_t(s.nth_in_air[i])];
+        for (std::size_t k = 0; k < 4; ++k) seen[k] += inscatter[k] + light[k] * transmittance[k];
       }
       put(out.rgb, p, rgb(seen.data()), 1 / double(per_pixel));
     });
@@ -311,10 +345,11 @@ struct SceneRenderer::Impl {
       for (std::size_t i = p * per_pixel; i < (p + 1) * per_pixel; ++i) {
         if (!s.inside[i]) continue;
         const std::array<double, 4> light = behind(s, i);
+        const auto in_air = std::size_t(s.nth_in_air[i]);
         for (std::size_t k = 0; k < 4; ++k) {
           surface[k] += light[k];
-          inscatter[k] += s.inscatter[4 * i + k];
-          through += s.transmittance[4 * i + k] / 4;
+          inscatter[k] += s.inscatter[4 * in_air + k];
+          through += s.transmittance[4 * in_air + k] / 4;
         }
         if (s.nth_on_ground[i] < 0) continue;
         const auto n = std::size_t(s.nth_on_ground[i]);

@@ -25,7 +25,7 @@ struct SceneOptions {
   bool sun_disc = true;
   double triangle_pixels = 1.5;  ///< wanted side of a triangle
   ShadowGrid shadow_grid;        ///< centred on the eye; its middle is not used
-  int shadow_steps = 32;  ///< points on a view ray where shadows are looked for; fewer where a pixel has several rays
+  int shadow_steps = 32;         ///< points on a view ray where shadows are looked for
 };
 
 /// Layers of consecutive rows [begin, end): pixel after pixel. Radiance as linear sRGB [cd/m^2].
