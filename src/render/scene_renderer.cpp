@@ -98,8 +98,9 @@ struct SceneRenderer::Impl {
       ShadowGrid grid = options.shadow_grid;
       grid.east = eye[0];
       grid.north = eye[1];
-      shadows =
-          air_shadows(shadow_map(*land, view.sun, air.sun.angular_radius, grid), view.camera, options.shadow_steps);
+      // Several samples mostly share one look at the air, which may then be closer.
+      const int steps = options.shadow_steps * (samples > 1 ? 2 : 1);
+      shadows = air_shadows(shadow_map(*land, view.sun, air.sun.angular_radius, grid), view.camera, steps);
     }
     for (const Xyz& weight : colour_weights(air, wavelengths)) to_rgb.push_back(xyz_to_srgb(weight));
     for (std::size_t k = 0; k < 4; ++k) {

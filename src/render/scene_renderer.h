@@ -25,7 +25,8 @@ struct SceneOptions {
   bool sun_disc = true;
   double triangle_pixels = 1.5;  ///< wanted side of a triangle
   ShadowGrid shadow_grid;        ///< centred on the eye; its middle is not used
-  int shadow_steps = 32;         ///< points on a view ray where shadows are looked for
+  int shadow_steps =
+      32;  ///< points on a view ray where shadows are looked for; twice as many where a pixel has several samples
 };
 
 /// Layers of consecutive rows [begin, end): pixel after pixel. Radiance as linear sRGB [cd/m^2].
