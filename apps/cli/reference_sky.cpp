@@ -45,10 +45,13 @@ std::string fingerprint(const ReferenceSky& sky) {
 }
 
 reference::PictureQuestion question(const ReferenceSky& sky) {
-  reference::PictureQuestion question{sky.atmosphere,    sky.camera.width,
+  reference::PictureQuestion question{sky.atmosphere,    sky.width(),
                                       sky.camera.height, {},
                                       sky.wavelengths,   colour_weights(sky.atmosphere, sky.wavelengths)};
-  question.ray = [camera = sky.camera, sun = sky.sun](int x, int y) -> std::optional<Ray> {
+  question.ray = [base = sky.camera, sun = sky.sun](int column, int y) -> std::optional<Ray> {
+    Camera camera = base;  // several threads ask
+    camera.face = column / camera.width;
+    const int x = column % camera.width;
     const double u = (x + 0.5) / camera.width, v = (y + 0.5) / camera.height;
     if (camera.projection == Projection::fisheye && std::hypot(u - 0.5, v - 0.5) > 0.5) return std::nullopt;
     return Ray{.altitude = camera.altitude, .view = view_direction(camera, u, v), .sun = sun};
@@ -79,10 +82,10 @@ class Status {
 template <class Pixel>
 void write(const std::string& path, const ReferenceSky& sky, const PictureFormat& format, const Metadata& metadata,
            Pixel pixel) {
-  PictureFile file(path, sky.camera.width, sky.camera.height, format, metadata);
-  std::vector<float> row(std::size_t(sky.camera.width) * 4);
+  PictureFile file(path, sky.width(), sky.camera.height, format, metadata);
+  std::vector<float> row(std::size_t(sky.width()) * 4);
   for (int y = 0; y < sky.camera.height; ++y) {
-    for (int x = 0; x < sky.camera.width; ++x) {
+    for (int x = 0; x < sky.width(); ++x) {
       const std::array<double, 3> rgb = pixel(x, y);
       for (int c = 0; c < 3; ++c) row[4 * x + c] = float(rgb[c]);
       row[4 * x + 3] = 1;
@@ -172,7 +175,7 @@ int render_reference_sky(ReferenceSky sky) {
   }
   std::remove(walks_file.c_str());
   fmt::print(stderr, "{}: {} x {}, {}, reference, {} walks a pixel, median error {:.2f} % (each in {}); {:.1f} s\n",
-             name, sky.camera.width, sky.camera.height, sky.atmosphere.name,
+             name, sky.width(), sky.camera.height, sky.atmosphere.name,
              picture.passes() * reference::RandomPicture::walks_in_a_pass, 100 * picture.median_error(), error_file,
              std::chrono::duration<double>(Clock::now() - started).count());
   return ok;

@@ -11,10 +11,12 @@ namespace airlight::cli {
 
 struct ReferenceSky {
   Atmosphere atmosphere;
-  Camera camera;                    ///< any but a cube
+  Camera camera;                    ///< of a cube: one face; the six stand side by side
   Direction sun;                    ///< unit, towards its centre
   std::vector<double> wavelengths;  ///< [nm]; empty: the four of real time
   double target_error = 0.01;       ///< median over the pixels of standard error / luminance
+  int width() const { return camera.width * (camera.projection == Projection::cube ? 6 : 1); }  ///< of the picture
+
   std::vector<std::string> outputs;
   PictureFormat format;
   Metadata metadata;

@@ -125,8 +125,6 @@ bool render_cube(const Sky& sky, Camera camera, Direction sun, const PictureOpti
 #ifdef AIRLIGHT_WITH_REFERENCE
 /// Random walks in place of a model: slow, without the sun's disc, with errors.
 int run_reference(const SkyOptions& options, const Camera& camera, const PictureFormat& format) {
-  if (camera.projection == Projection::cube)
-    throw InputError("--projection = cube: not with --model reference; expected equirectangular, fisheye, perspective");
   const SunPlace sun = options.sun.resolve();
   ReferenceSky sky;
   sky.atmosphere = options.air.load();
@@ -147,6 +145,8 @@ int run_reference(const SkyOptions& options, const Camera& camera, const Picture
                   {"camera azimuth [degrees]", camera.azimuth / degree},
                   {"camera elevation [degrees]", camera.elevation / degree},
                   {"field of view [degrees]", camera.field_of_view / degree}};
+  if (camera.projection == Projection::cube)
+    sky.metadata.push_back({"faces, left to right", "east west north south up down"});
   sun.describe(sky.metadata);
   return render_reference_sky(std::move(sky));
 }
