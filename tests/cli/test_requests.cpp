@@ -166,7 +166,7 @@ TEST(BatchRequest, bad_plane_parallel_air_is_named) {
 TEST(EvalRequest, numbers_that_json_lacks_are_strings) {
   for (const char* text : {"\"nan\"", "\"inf\"", "\"-inf\""}) {
     const auto request = parse_eval_request(
-        std::string(R"({"id":1,"fn":"core.phase_rayleigh","inputs":{"one_minus_cos":)") + text + "}}");
+        std::string(R"({"id":1,"fn":"core.phase_rayleigh","inputs":{"one_minus_cos":)") + text + "}}", {});
     ASSERT_EQ(request.error, "");
     ASSERT_EQ(request.varying.size(), 1u);
     EXPECT_FALSE(std::isfinite(request.varying[0]));
@@ -194,7 +194,7 @@ TEST(EvalRequest, bad_lines_keep_their_id_and_say_why) {
                "inputs.a = an array of 2: expected an array of 3"},
        }) {
     SCOPED_TRACE(text);
-    const auto request = parse_eval_request(text);
+    const auto request = parse_eval_request(text, {});
     EXPECT_NE(request.error.find(fragment), std::string::npos) << request.error;
     EXPECT_EQ(request.id, 1);
   }
