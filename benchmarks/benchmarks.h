@@ -11,6 +11,8 @@ MachineLimits measure_limits(Report& report);
 void march(Report& report, const MachineLimits& limits);
 /// `skyview` under a moving sun at 1920 x 1080, in processor time of all threads; then pictures on one thread, a pixel.
 void pictures(Report& report, const MachineLimits& limits);
+/// Pictures of the published systems on one thread, a pixel.
+void published(Report& report, const MachineLimits& limits);
 /// The tables of an atmosphere from nothing.
 void tables(Report& report);
 /// Batches of rays on one thread, a ray.

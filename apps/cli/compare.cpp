@@ -128,13 +128,11 @@ Result draw(const Scene& scene, const std::string& model, const std::shared_ptr<
   result.width = shot.width(), result.height = shot.height();
   result.metadata = shot.metadata();
   result.ready = processor_time() - start;
-  const bool whole = shot.renderer().render(
-      [&](const SceneRows& rows) {
-        result.rgb.insert(result.rgb.end(), rows.rgb.begin(), rows.rgb.end());
-        progress.show(from + (to - from) * rows.end / shot.height());
-        return !interrupted();
-      },
-      false);
+  const bool whole = shot.rows([&](int end, std::span<const float> rgb) {
+    result.rgb.insert(result.rgb.end(), rgb.begin(), rgb.end());
+    progress.show(from + (to - from) * end / shot.height());
+    return !interrupted();
+  });
   if (!whole) throw Interrupted{};
   result.drawn = processor_time() - start - result.ready;
   return result;

@@ -12,6 +12,7 @@
 #include "json_line.h"
 #include "jsonl.h"
 #include "options.h"
+#include "parameter_json.h"
 #include "sky/engine_caller.h"
 #include "text_output.h"
 
@@ -111,33 +112,10 @@ nlohmann::ordered_json described(const ArgumentInfo& argument) {
   return json;
 }
 
-nlohmann::ordered_json value_as_json(const ParameterValue& value) {
-  if (const auto* word = std::get_if<std::string>(&value)) return *word;
-  const auto& numbers = std::get<std::vector<double>>(value);
-  if (numbers.size() == 1) return numbers[0];
-  return numbers;
-}
-
-std::string_view kind_name(const ParameterInfo& key) {
-  constexpr std::string_view names[] = {"number", "whole", "flag", "colour", "vector", "list", "word"};
-  return names[static_cast<int>(key.kind)];
-}
-
 nlohmann::ordered_json described(const Adapter& adapter) {
   nlohmann::ordered_json json{
       {"fn", adapter.name}, {"text", adapter.text}, {"arguments", nlohmann::ordered_json::array()}};
-  for (const ParameterInfo& key : adapter.inputs) {
-    nlohmann::ordered_json input{{"name", key.name}, {"type", kind_name(key)}, {"unit", key.unit}};
-    if (key.kind == ParameterInfo::Kind::vector || key.kind == ParameterInfo::Kind::list) input["size"] = key.size;
-    if (key.kind == ParameterInfo::Kind::word)
-      input["words"] = key.words;
-    else if (key.kind != ParameterInfo::Kind::flag)
-      input["range"] = {key.low, key.high};
-    if (key.otherwise) input["default"] = value_as_json(*key.otherwise);
-    if (key.optional || key.otherwise) input["optional"] = true;
-    if (!key.text.empty()) input["text"] = key.text;
-    json["arguments"].push_back(std::move(input));
-  }
+  for (const ParameterInfo& key : adapter.inputs) json["arguments"].push_back(parameter_json(key));
   json["result"] = {{"type", adapter.outputs}, {"unit", adapter.unit}};
   json["bound"] = adapter.bound;
   json["scale"] = adapter.scale;
@@ -186,19 +164,7 @@ void list_adapter(const Adapter& adapter, std::string& text) {
   text += fmt::format("{} -> {} [{}], bound {:g} * max(|value|, {:g}){}\n    {}\n", adapter.name, adapter.outputs,
                       adapter.unit, adapter.bound, adapter.scale, adapter.double_only ? ", engine double alone" : "",
                       adapter.text);
-  for (const ParameterInfo& key : adapter.inputs) {
-    text += fmt::format("    {} {}", kind_name(key), key.name);
-    if (key.kind == ParameterInfo::Kind::word) {
-      for (const std::string_view word : key.words)
-        text += fmt::format("{}{}", word == key.words[0] ? " = " : " | ", word);
-    } else {
-      text += fmt::format(" [{}]", key.unit);
-      if (key.high < 1e300) text += fmt::format(" {:g} .. {:g}", key.low, key.high);
-    }
-    if (key.otherwise) text += fmt::format(", default {}", value_as_json(*key.otherwise).dump());
-    if (key.optional && !key.otherwise) text += ", may be left out";
-    text += '\n';
-  }
+  for (const ParameterInfo& key : adapter.inputs) text += "    " + parameter_line(key) + '\n';
 }
 
 std::string list_as_text() {

@@ -10,6 +10,7 @@
 #include "airlight/sky.h"
 #include "commands.h"
 #include "options.h"
+#include "parameter_json.h"
 #include "scenefile/atmosphere_file.h"
 #include "text_output.h"
 
@@ -30,6 +31,43 @@ void print_entries(std::span<const Entry> entries, bool json) {
     list.push_back({{"name", name}, {"summary", summary}});
   }
   write_text("-", json ? list.dump(2) + '\n' : text);
+}
+
+// ---- models ----
+
+ordered_json described(const ModelInfo& model) {
+  ordered_json json{{"name", model.name}, {"summary", model.summary}};
+  if (model.colours) {
+    json["answers"] = "red, green, blue";
+    json["wavelengths"] = model.colours->wavelengths;
+    json["luminance"] = model.colours->luminance;
+    json["tone"] = model.colours->tone;
+  }
+  if (!model.parameters.empty()) json["parameters"] = ordered_json::array();
+  for (const ParameterInfo& key : model.parameters) json["parameters"].push_back(parameter_json(key));
+  for (const Preset& preset : model.presets) {
+    ordered_json entry{{"name", preset.name}, {"text", preset.text}, {"values", ordered_json::object()}};
+    for (const auto& [name, value] : preset.values) entry["values"][name] = value_json(value);
+    if (preset.sun_elevation) entry["sun_elevation"] = *preset.sun_elevation;
+    json["presets"].push_back(std::move(entry));
+  }
+  return json;
+}
+
+std::string models_as_json() {
+  auto list = ordered_json::array();
+  for (const ModelInfo& model : models()) list.push_back(described(model));
+  return list.dump(2) + '\n';
+}
+
+std::string models_as_text() {
+  std::string text;
+  for (const ModelInfo& model : models()) {
+    text += fmt::format("{:<18}{}\n", model.name, model.summary);
+    for (const ParameterInfo& key : model.parameters) text += "    " + parameter_line(key) + '\n';
+    for (const Preset& preset : model.presets) text += fmt::format("    preset {}: {}\n", preset.name, preset.text);
+  }
+  return text;
 }
 
 // ---- doctor ----
@@ -98,9 +136,7 @@ void add_models(CLI::App& app, Command& chosen) {
   command.add_flag("--json", *json, "for scripts");
   command.callback([json, &chosen] {
     chosen = [json] {
-      std::vector<Entry> entries;
-      for (const auto& [name, summary] : models()) entries.push_back({name, summary});
-      print_entries(entries, *json);
+      write_text("-", *json ? models_as_json() : models_as_text());
       return ok;
     };
   });

@@ -84,7 +84,7 @@ void SunOptions::add_to(CLI::App& app) {
       ->excludes(place_option);
 }
 
-SunPlace SunOptions::resolve() const {
+SunPlace SunOptions::resolve(std::optional<double> otherwise) const {
   if (!place.empty()) {
     const Time when = parse_time(time);
     const SunPosition position = sun_position(parse_place(place), when);
@@ -93,9 +93,9 @@ SunPlace SunOptions::resolve() const {
             position.distance,         place,
             format_time(when),         refraction};
   }
-  if (!elevation)
+  if (!elevation && !otherwise)
     throw InputError("where does the sun stand? Give --place and --time, or --sun-elevation [degrees, -90 .. 90]");
-  return {azimuth.value_or(0), *elevation, 1, {}, {}, false};
+  return {azimuth.value_or(0), elevation ? *elevation : *otherwise, 1, {}, {}, false};
 }
 
 void SunPlace::describe(Metadata& lines) const {

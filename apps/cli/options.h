@@ -48,8 +48,9 @@ struct SunOptions {
   std::optional<double> elevation, azimuth;
 
   void add_to(CLI::App& app);
-  /// @throws InputError, also when the command line does not say where the sun stands.
-  SunPlace resolve() const;
+  /// @param otherwise  elevation [degrees] where the command line does not say where the sun stands
+  /// @throws InputError, also where neither does
+  SunPlace resolve(std::optional<double> otherwise = {}) const;
 };
 
 /// The models of the sky.

@@ -20,7 +20,7 @@ PictureFormat picture_format(const std::string& exposure, const std::string& ton
   PictureFormat format;
   format.half = !full_float;
   if (exposure != "auto") format.exposure_ev = parse_number(exposure, "--exposure", {-100, 100, "EV (or auto)"});
-  format.tone_curve = choose("--tone", tone, {"filmic", "reinhard"}) == 0 ? ToneCurve::filmic : ToneCurve::reinhard;
+  format.tone_curve = ToneCurve(choose("--tone", tone, {tone_curves.begin(), tone_curves.end()}));
   return format;
 }
 

@@ -51,13 +51,12 @@ int run_render(const RenderOptions& options) {
     shot.paint(files, layers, [&](double fraction) { progress.show(fraction); });
   }
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
-  const auto mesh = shot.renderer().terrain().statistics();
   fmt::print(
       stderr,
       "{}: {} x {}, {} samples a pixel, {}, {} on {}, sun at azimuth {:.2f}, elevation {:.2f} degrees, {} thousand "
       "triangles; {:.2f} s\n",
       files.names(), shot.width(), shot.height(), shot.samples(), scene.air.name, shot.sky().model(), engine,
-      shot.sun().azimuth, shot.sun().elevation, 2 * mesh.cells / 1000, seconds);
+      shot.sun().azimuth, shot.sun().elevation, 2 * shot.cells() / 1000, seconds);
   files.tell_notes();
   return ok;
 }

@@ -4,8 +4,10 @@
 
 #include <cmath>
 
+#include "airlight/error.h"
 #include "commands.h"
 #include "interrupt.h"
+#include "model_options.h"
 #include "number_option.h"
 
 namespace airlight::cli {
@@ -42,7 +44,21 @@ SunPlace sun_place(const Scene& scene, const Land& land) {
 Sky make_sky(const Scene& scene, const SunPlace& sun, std::shared_ptr<Engine> engine) {
   Atmosphere air = scene.air;
   sun.apply_distance(air);
-  return Sky(std::move(air), scene.picture.model, std::move(engine));
+  const auto own = scene.parameters.find(scene.picture.model);
+  return Sky(std::move(air), scene.picture.model, std::move(engine),
+             own == scene.parameters.end() ? Parameters{} : own->second);
+}
+
+/// A published system that answers in colours draws the sky of a scene, through its camera.
+bool draws_sky_alone(const Scene& scene) {
+  if (!model_info(scene.picture.model).colours) return false;
+  if (scene.has_land)
+    throw InputError(
+        fmt::format("model {}: draws the sky alone; expected a scene without terrain and relief", scene.picture.model));
+  if (scene.camera.camera.projection == Projection::cube)
+    throw InputError(fmt::format("model {}: camera.type = cube: expected perspective, equirectangular or fisheye",
+                                 scene.picture.model));
+  return true;
 }
 
 /// Says so before the land's triangles are made where a model cannot shade the air: it is asked for one point.
@@ -79,7 +95,9 @@ void ScenePictureOptions::add_picture_to(CLI::App& app) {
                  "of a .png: auto, or EV, by which 1 cd/m2 is brightened by 2^EV [EV, -100 .. 100]")
       ->group(instead)
       ->type_name("EV");
-  app.add_option("--tone", tone, "tone curve of a .png: filmic, reinhard")->group(instead)->type_name("NAME");
+  app.add_option("--tone", tone, "tone curve of a .png: filmic, reinhard, clip, codeflow")
+      ->group(instead)
+      ->type_name("NAME");
   app.add_flag("--float", full_float, "32-bit .exr in place of half floats, which end at 65504 cd/m2");
   app.add_flag("--no-sun", no_sun, "leave the sun's disc out");
   add_engine(app, engine);
@@ -131,9 +149,13 @@ std::vector<Layer> ScenePictureOptions::layers() const {
 
 PictureFormat ScenePictureOptions::format(const Scene& scene) const {
   const std::vector<Layer> extra = layers();
-  std::string ev = exposure;
-  if (ev.empty()) ev = scene.picture.exposure_ev ? fmt::format("{}", *scene.picture.exposure_ev) : "auto";
-  PictureFormat format = picture_format(ev, scene.picture.tone, full_float || !extra.empty());
+  const auto given = scene.parameters.find(scene.picture.model);
+  const auto own = own_display(scene.picture.model, given == scene.parameters.end() ? Parameters{} : given->second);
+  std::string ev = exposure, curve = scene.picture.tone;
+  if (ev.empty() && scene.picture.exposure_ev) ev = fmt::format("{}", *scene.picture.exposure_ev);
+  if (ev.empty()) ev = own ? own->exposure : "auto";
+  if (curve.empty()) curve = own ? own->tone : "filmic";
+  PictureFormat format = picture_format(ev, curve, full_float || !extra.empty());
   for (const Layer& layer : extra)
     format.layers.insert(format.layers.end(), layer.channels.begin(), layer.channels.end());
   return format;
@@ -143,11 +165,16 @@ SceneShot::SceneShot(const Scene& scene, std::shared_ptr<const Land> land, std::
                      bool sun_disc)
     : sun_(sun_place(scene, *land)),
       sky_(make_sky(scene, sun_, std::move(engine))),
-      renderer_(able_to_shade(sky_, scene, place_camera(scene.camera, *land), sun_), land, scene.surface,
-                {place_camera(scene.camera, *land), sun_.direction()}, scene_options(scene, sun_disc)),
+      placed_(place_camera(scene.camera, *land)),
+      sun_disc_(sun_disc),
+      width_(placed_.camera.width),
       height_(scene.camera.camera.height),
       samples_(scene.picture.samples) {
-  const PlacedCamera placed = place_camera(scene.camera, *land);
+  if (!draws_sky_alone(scene)) {
+    renderer_ = std::make_unique<SceneRenderer>(able_to_shade(sky_, scene, placed_, sun_), land, scene.surface,
+                                                SceneView{placed_, sun_.direction()}, scene_options(scene, sun_disc));
+    width_ = renderer_->width();
+  }
   metadata_ = {{"Software", version()},
                {"scene", scene.name},
                {"atmosphere", scene.air.name},
@@ -155,17 +182,47 @@ SceneShot::SceneShot(const Scene& scene, std::shared_ptr<const Land> land, std::
                {"units", "cd m-2, linear sRGB primaries"},
                {"samples a pixel", double(samples_)},
                {"shadows in the air", scene.picture.air_shadows ? "single scattering" : "none"},
-               {"camera altitude [m]", land->frame().altitude(placed.eye)},
-               {"camera azimuth [degrees]", placed.camera.azimuth / degree},
-               {"camera elevation [degrees]", placed.camera.elevation / degree},
-               {"field of view [degrees]", placed.camera.field_of_view / degree}};
+               {"camera altitude [m]", land->frame().altitude(placed_.eye)},
+               {"camera azimuth [degrees]", placed_.camera.azimuth / degree},
+               {"camera elevation [degrees]", placed_.camera.elevation / degree},
+               {"field of view [degrees]", placed_.camera.field_of_view / degree}};
   sun_.describe(metadata_);
+}
+
+bool SceneShot::rows(const std::function<bool(int end, std::span<const float> rgb)>& take) const {
+  if (renderer_) return renderer_->render([&](const SceneRows& strip) { return take(strip.end, strip.rgb); }, false);
+  std::vector<float> rgb;
+  return sky_.render(placed_.camera, placed_.from_scene(sun_.direction()), {.sun_disc = sun_disc_, .wavelengths = {}},
+                     [&](int, int end, std::span<const float> rgba) {
+                       rgb.clear();
+                       for (std::size_t i = 0; i < rgba.size(); i += 4) rgb.insert(rgb.end(), &rgba[i], &rgba[i + 3]);
+                       return take(end, rgb);
+                     });
+}
+
+void SceneShot::paint_sky(PictureOutputs& files, const std::function<void(double)>& progress) const {
+  const bool whole =
+      sky_.render(placed_.camera, placed_.from_scene(sun_.direction()), {.sun_disc = sun_disc_, .wavelengths = {}},
+                  [&](int begin, int end, std::span<const float> rgba) {
+                    files.write(begin, end, rgba);
+                    progress(double(end) / height_);
+                    return !interrupted();
+                  });
+  if (!whole) throw Interrupted{};
 }
 
 void SceneShot::paint(PictureOutputs& files, const std::vector<Layer>& layers,
                       const std::function<void(double)>& progress) const {
+  if (!renderer_) {
+    if (!layers.empty())
+      throw InputError(fmt::format("--aov: model {} draws the sky alone, without layers", sky_.model()));
+    paint_sky(files, progress);
+    check_interrupt();
+    files.finish();
+    return;
+  }
   std::vector<float> rgba;
-  const bool whole = renderer_.render(
+  const bool whole = renderer_->render(
       [&](const SceneRows& rows) {
         rgba.resize(4 * (rows.rgb.size() / 3));
         for (std::size_t i = 0; i < rows.rgb.size() / 3; ++i) {

@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -47,8 +48,9 @@ class SceneShot {
   SceneShot(const SceneShot&) = delete;  // the renderer knows where the sky lives
   SceneShot& operator=(const SceneShot&) = delete;
 
-  const SceneRenderer& renderer() const { return renderer_; }
-  int width() const { return renderer_.width(); }
+  /// Half the triangles of the land; 0 where a published system draws a sky without land.
+  std::size_t cells() const { return renderer_ ? renderer_->terrain().statistics().cells : 0; }
+  int width() const { return width_; }
   int height() const { return height_; }
   const SunPlace& sun() const { return sun_; }
   const Sky& sky() const { return sky_; }
@@ -56,6 +58,9 @@ class SceneShot {
   /// All but the engine: threads and processor are no part of a picture.
   const Metadata& metadata() const { return metadata_; }
 
+  /// The picture's rows from top to bottom up to `end`, linear sRGB [cd/m^2], three numbers a pixel; false stops.
+  /// @returns false when stopped
+  bool rows(const std::function<bool(int end, std::span<const float> rgb)>& take) const;
   /// Renders into files. @param progress  is told how much is done, 0 .. 1. @throws Interrupted
   void paint(PictureOutputs& files, const std::vector<Layer>& layers,
              const std::function<void(double)>& progress) const;
@@ -63,9 +68,13 @@ class SceneShot {
  private:
   SunPlace sun_;
   Sky sky_;
-  SceneRenderer renderer_;
-  int height_, samples_;
+  std::unique_ptr<SceneRenderer> renderer_;  // none: a published system draws the sky
+  PlacedCamera placed_;
+  bool sun_disc_;
+  int width_, height_, samples_;
   Metadata metadata_;
+
+  void paint_sky(PictureOutputs& files, const std::function<void(double)>& progress) const;
 };
 
 }  // namespace airlight::cli

@@ -173,8 +173,8 @@ class Sequence {
     scene.picture.samples = 1;
     const SceneShot shot(scene, land_of(scene), engine_, !options_.picture.no_sun);
     std::vector<float> rgb;
-    shot.renderer().render([&](const SceneRows& rows) {
-      rgb.insert(rgb.end(), rows.rgb.begin(), rows.rgb.end());
+    shot.rows([&](int, std::span<const float> strip) {
+      rgb.insert(rgb.end(), strip.begin(), strip.end());
       return true;
     });
     exposure_ev_ = std::round(automatic_exposure(rgb) * 100) / 100;

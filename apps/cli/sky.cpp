@@ -11,6 +11,7 @@
 #include "commands.h"
 #include "interrupt.h"
 #include "lens.h"
+#include "model_options.h"
 #include "number_option.h"
 #include "options.h"
 #include "picture_outputs.h"
@@ -26,8 +27,9 @@ struct SkyOptions {
   AirOptions air;
   SunOptions sun;
   MachineOptions machine;
+  ModelOptions own;
   std::vector<std::string> outputs;
-  std::string projection = "equirectangular", size, exposure = "auto", tone = "filmic", wavelengths = "4";
+  std::string projection = "equirectangular", size, exposure, tone, wavelengths = "4";
   double altitude = 2, azimuth = 0, target_error = 0.01;
   std::optional<double> elevation, field_of_view;
   bool full_float = false, no_sun = false;
@@ -78,8 +80,10 @@ std::vector<double> picture_wavelengths(const std::string& text) {
 
 Metadata make_metadata(const SkyOptions& options, const Sky& sky, const Camera& camera, const SunPlace& sun,
                        std::span<const double> wavelengths) {
+  const ModelInfo model = model_info(sky.model());
   const auto four = sky.realtime_wavelengths();
   if (wavelengths.empty()) wavelengths = four;
+  if (model.colours) wavelengths = model.colours->wavelengths;
   std::string list;
   for (const double wavelength : wavelengths) list += fmt::format("{}{:g}", list.empty() ? "" : " ", wavelength);
   Metadata metadata{{"Software", version()},
@@ -87,7 +91,9 @@ Metadata make_metadata(const SkyOptions& options, const Sky& sky, const Camera& 
                     {"model", std::string(sky.model())},
                     {"engine", describe(sky.engine())},
                     {"units", "cd m-2, linear sRGB primaries"},
-                    {"wavelengths [nm]", list}};
+                    {"wavelengths [nm]", list.empty() ? "none" : list}};
+  for (const auto& [name, value] : sky.parameters())
+    metadata.push_back({fmt::format("{}.{}", sky.model(), name), parameter_text(value)});
   sun.describe(metadata);
   metadata.push_back({"sun disc", options.no_sun ? "left out" : "included"});
   metadata.push_back({"projection", options.projection});
@@ -156,16 +162,20 @@ int run_sky(const SkyOptions& options) {
   const auto started = std::chrono::steady_clock::now();
   // Everything that can be wrong with the words is found before any work is done or any file is touched.
   const Camera camera = make_camera(options);
-  const PictureFormat format = picture_format(options.exposure, options.tone, options.full_float);
+  PictureFormat format = picture_format(options.exposure.empty() ? "auto" : options.exposure,
+                                        options.tone.empty() ? "filmic" : options.tone, options.full_float);
 #ifdef AIRLIGHT_WITH_REFERENCE
   if (options.machine.model == "reference") return run_reference(options, camera, format);
 #endif
   const PictureOptions picture{!options.no_sun, picture_wavelengths(options.wavelengths)};
-  const SunPlace sun = options.sun.resolve();
   options.machine.check_model();
+  const SunPlace sun = options.sun.resolve(options.own.sun_elevation(options.machine.model));
   Atmosphere atmosphere = options.air.load();
   sun.apply_distance(atmosphere);
-  const Sky sky(atmosphere, options.machine.model, options.machine.make());
+  const Sky sky(atmosphere, options.machine.model, options.machine.make(), options.own.parameters());
+  if (const auto own = own_display(sky.model(), sky.parameters()))
+    format = picture_format(options.exposure.empty() ? own->exposure : options.exposure,
+                            options.tone.empty() ? own->tone : options.tone, options.full_float);
 
   const bool cube = camera.projection == Projection::cube;
   const Metadata metadata = make_metadata(options, sky, camera, sun, picture.wavelengths);
@@ -231,11 +241,14 @@ void add_sky(CLI::App& app, Command& chosen) {
   add_number(sky, "--field-of-view", options->field_of_view, {0.1, 360, "degrees"},
              "perspective: horizontal, up to 170 (default 90); fisheye: across the circle, from 1 (default 180)")
       ->group(camera);
-  sky.add_option("--exposure", options->exposure,
-                 "of a .png: auto, or EV, by which 1 cd/m2 is brightened by 2^EV [EV, -100 .. 100] (default auto)")
+  sky.add_option(
+         "--exposure", options->exposure,
+         "of a .png: auto, or EV, by which 1 cd/m2 is brightened by 2^EV [EV, -100 .. 100] (default auto; a published "
+         "system's own)")
       ->group(picture)
       ->type_name("EV");
-  sky.add_option("--tone", options->tone, "tone curve of a .png: filmic, reinhard (default filmic)")
+  sky.add_option("--tone", options->tone,
+                 "tone curve of a .png: filmic, reinhard, clip, codeflow (default filmic; a published system's own)")
       ->group(picture)
       ->type_name("NAME");
   sky.add_flag("--float", options->full_float, "32-bit .exr in place of half floats, which end at 65504 cd/m2")
@@ -252,6 +265,7 @@ void add_sky(CLI::App& app, Command& chosen) {
   options->sun.add_to(sky);
   options->air.add_to(sky);
   options->machine.add_to(sky);
+  options->own.add_to(sky);
   sky.callback([options, &chosen] { chosen = [options] { return run_sky(*options); }; });
 }
 

@@ -39,6 +39,7 @@ struct ParameterInfo {
 struct Preset {
   std::string_view name, text;
   Parameters values;
+  std::optional<double> sun_elevation = {};  ///< [degrees] that it was made for
 };
 
 }  // namespace airlight

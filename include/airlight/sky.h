@@ -11,6 +11,7 @@
 #include "airlight/atmosphere.h"
 #include "airlight/camera.h"
 #include "airlight/engine.h"
+#include "airlight/model_info.h"
 
 namespace airlight {
 
@@ -67,27 +68,27 @@ struct AirShadows {
   int steps = 64;      ///< points on a ray, 1 to 1024
 };
 
-/// A model of the sky: its name, one line on what it does.
-struct ModelInfo {
-  std::string_view name, summary;
-};
-std::vector<ModelInfo> models();
-
 /// Binds an atmosphere, a model and an engine, and answers the questions of the interface in batches.
 /// Objects are cheap to make; tables are built on the first question that needs them and kept by the engine.
 class Sky {
  public:
-  /// @param model  "single" or "skyview". @throws InputError for an unknown model or an invalid atmosphere.
-  Sky(Atmosphere atmosphere, std::string_view model = "skyview", std::shared_ptr<Engine> engine = make_engine("simd"));
+  /// @param model       one of models()
+  /// @param parameters  the model's own; those not named keep their defaults, or those of the preset that `preset` names
+  /// @throws InputError for an unknown model, an invalid atmosphere, or a parameter that the model has not or that is out of range.
+  Sky(Atmosphere atmosphere, std::string_view model = "skyview", std::shared_ptr<Engine> engine = make_engine("simd"),
+      const Parameters& parameters = {});
   ~Sky();
   Sky(Sky&&) noexcept;
   Sky& operator=(Sky&&) noexcept;
 
   const Atmosphere& atmosphere() const;
   std::string_view model() const;
+  /// The model's parameters, all of them.
+  const Parameters& parameters() const;
   Engine& engine() const;
 
-  /// Answers one quantity for N rays at W wavelengths.
+  /// Answers one quantity for N rays at W wavelengths. A model that answers in colours (ModelInfo::colours) is asked at its nominal
+  /// wavelengths alone; where it has none, `wavelengths` is empty and W is 3: red, green, blue, in the model's own unit.
   /// @param max_order  0: all the orders that the model has; 1: light scattered or reflected once
   /// @param out        N x W, ray slowest. @throws InputError naming the ray and the value; `out` is then untouched.
   void evaluate(Quantity quantity, std::span<const Ray> rays, std::span<const double> wavelengths,

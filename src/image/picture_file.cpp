@@ -98,7 +98,7 @@ struct PictureFile::Impl {
     std::snprintf(text, sizeof text, "%+.2f", ev);
     exposure = std::string("exposure: EV ") + text + (automatic ? ", automatic" : "");
     metadata.emplace_back("ExposureEV", std::string(text) + (automatic ? " (automatic)" : ""));
-    metadata.emplace_back("ToneCurve", format.tone_curve == ToneCurve::filmic ? "filmic" : "reinhard");
+    metadata.emplace_back("ToneCurve", std::string(tone_curves[std::size_t(format.tone_curve)]));
     write_whole(
         {.format = "png", .width = width, .height = height, .bytes = bytes, .floats = {}, .metadata = metadata});
   }
@@ -136,7 +136,8 @@ void PictureFile::write_rows(int begin, int end, std::span<const float> rgba, st
   const std::size_t row = 4 * std::size_t(own.width);
   if (begin != own.rows || end < begin || end > own.height || rgba.size() != std::size_t(end - begin) * row ||
       layers.size() != own.format.layers.size())
-    throw std::logic_error("PictureFile::write_rows: rows must come in order, each of `width` RGBA pixels, with all layers");
+    throw std::logic_error(
+        "PictureFile::write_rows: rows must come in order, each of `width` RGBA pixels, with all layers");
   std::vector<ExrPlane> planes(3 + layers.size());
   for (; own.rows < end; ++own.rows, rgba = rgba.subspan(row)) {
     const std::span<const float> pixels = own.mended(rgba.first(row));

@@ -1,10 +1,12 @@
 // Pictures on disk: linear EXR and HDR in absolute units, tone-mapped PNG. Written to a temporary name, renamed when
 // whole.
 #pragma once
+#include <array>
 #include <memory>
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -14,13 +16,20 @@ namespace airlight {
 /// What is said about a picture in its header, in order: name and text or number.
 using Metadata = std::vector<std::pair<std::string, std::variant<std::string, double>>>;
 
-enum class ToneCurve { filmic, reinhard };
+enum class ToneCurve {
+  filmic,
+  reinhard,
+  clip,      ///< none: what is above display white is white
+  codeflow,  ///< of codeflow.org's program, with its own encoding
+};
+inline constexpr std::array<std::string_view, 4> tone_curves{"filmic", "reinhard", "clip",
+                                                             "codeflow"};  ///< their names
 
 struct PictureFormat {
   bool half = true;                        ///< EXR: half floats (clamped at 65504, said in the metadata), else 32-bit
   std::optional<double> exposure_ev = {};  ///< PNG: linear picture times 2^EV (EV 0: 1 cd/m2 -> 1); none: automatic
   ToneCurve tone_curve = ToneCurve::filmic;
-  int compression_threads = 0;  ///< 0: all cores
+  int compression_threads = 0;           ///< 0: all cores
   std::vector<std::string> layers = {};  ///< EXR: further channels, always 32-bit, by their names in the file
 };
 

@@ -7,6 +7,7 @@
 #define AIRLIGHT_REP xsimd::batch<float, xsimd::default_arch>
 #include "prelude/prelude.hpp"
 namespace airlight::AIRLIGHT_TARGET {
+#include "codeflow/tone.glsl"
 #include "core/math.glsl"
 #include "core/tone.glsl"
 }  // namespace airlight::AIRLIGHT_TARGET
@@ -23,6 +24,15 @@ constexpr double reinhard_white = 64;
 /// whole numbers modulo 2^32: neighbours differ much, so the noise is fine and the mean over a few pixels is right.
 float threshold(std::uint32_t x, std::uint32_t y) {
   return (float((x * 3242174889u + y * 2447445414u) >> 24) + 0.5f) * 0x1p-8f;
+}
+
+/// Encoded, 0..1.
+Vec3 shown(const Vec3& light, ToneCurve curve) {
+  if (curve == ToneCurve::codeflow) return codeflow_tone(light);
+  const Vec3 linear = curve == ToneCurve::filmic     ? tone_filmic(light)
+                      : curve == ToneCurve::reinhard ? tone_reinhard(light, reinhard_white)
+                                                     : light;  // the encoding clips
+  return {srgb_encode(linear.x), srgb_encode(linear.y), srgb_encode(linear.z)};
 }
 
 }  // namespace
@@ -56,10 +66,10 @@ void encode_row(std::span<const float> rgb, int y, double exposure_ev, ToneCurve
       for (std::size_t c = 0; c < 3; ++c) channels[c][i] = rgb[3 * (first + i) + c];
     const auto load = [&](int c) { return Float::of(Rep::load_aligned(channels[c]) * Rep(gain)); };
     const Vec3 light(load(0), load(1), load(2));
-    const Vec3 shown = curve == ToneCurve::filmic ? tone_filmic(light) : tone_reinhard(light, reinhard_white);
-    srgb_encode(shown.x).v.store_aligned(channels[0]);
-    srgb_encode(shown.y).v.store_aligned(channels[1]);
-    srgb_encode(shown.z).v.store_aligned(channels[2]);
+    const Vec3 encoded = shown(light, curve);
+    encoded.x.v.store_aligned(channels[0]);
+    encoded.y.v.store_aligned(channels[1]);
+    encoded.z.v.store_aligned(channels[2]);
     for (std::size_t i = 0; i < n; ++i) {
       const float dither = threshold(std::uint32_t(first + i), std::uint32_t(y));
       for (std::size_t c = 0; c < 3; ++c) out[3 * (first + i) + c] = std::uint8_t(channels[c][i] * 255.0f + dither);

@@ -54,6 +54,7 @@ const Adapter* find_adapter(std::span<const Adapter> adapters, std::string_view 
 
 // One list a system, in its model's file; src/model/adapters.cpp joins them.
 std::vector<Adapter> codeflow_adapters();
+std::vector<Adapter> hoffman_preetham_adapters();
 std::vector<Adapter> jetlag_adapters();
 std::vector<Adapter> rama_adapters();
 std::vector<Adapter> realworldz_adapters();

@@ -1,5 +1,6 @@
 // The sky of codeflow.org: a march through a unit sphere of constant density, tuned by eye. It knows no metres, no wavelengths and no
 // planet; what it says is a colour of the sky in a direction. docs/models/codeflow.md says what it gets wrong.
+#include <algorithm>
 #include <cmath>
 
 #include "airlight/error.h"
@@ -55,10 +56,25 @@ const std::vector<ParameterInfo>& parameters() {
         by_variant("spot_max"),
         field("eye_margin", 0.15),
         by_variant("sun_margin"),
+        {.name = "show",
+         .kind = Kind::word,
+         .text = "the sky, or one of its parts, as the equations name them",
+         .words = {"sky", "cR", "cM", "fR", "fM", "spot", "ee"},
+         .otherwise = "sky"},
+        {.name = "cube_size",
+         .kind = Kind::whole,
+         .unit = "pixels",
+         .text = "side of a face of the cube map that the sky is drawn into",
+         .low = 64,
+         .high = 1024,
+         .otherwise = Numbers{512}},
+        {.name = "exposure", .text = "of pictures that are not linear", .low = 0, .high = 3, .otherwise = Numbers{1}},
     };
   }();
   return keys;
 }
+
+const ParameterInfo& show_key() { return *std::ranges::find(parameters(), "show", &ParameterInfo::name); }
 
 Fields kernel_fields(const Values& values) {
   Fields fields = struct_fields("Codeflow", values);
@@ -66,7 +82,8 @@ Fields kernel_fields(const Values& values) {
   fields.try_emplace("spot_g", Numbers{variant.spot_g});
   fields.try_emplace("spot_max", Numbers{variant.spot_max});
   fields.try_emplace("sun_margin", Numbers{variant.sun_margin});
-  fields.try_emplace("show", Numbers{0});
+  const auto& parts = show_key().words;
+  fields["show"] = {double(std::ranges::find(parts, values.word("show")) - parts.begin())};
   return fields;
 }
 
@@ -93,6 +110,33 @@ ParameterInfo direction_key(std::string_view name) {
 }
 
 }  // namespace
+
+Model codeflow_model() {
+  Model model{.name = "codeflow",
+              .summary =
+                  "the tunable sky of codeflow.org: relative colours from a unit sphere of constant density, kept as a "
+                  "cube map",
+              .air = {},
+              .tables = {{"codeflow.cube",
+                          {},
+                          [](const Situation& s) -> Shape {
+                            const int side = int(s.parameters->number("cube_size")) + 2;  // a border of one texel
+                            return {side, 6 * side, 1};
+                          }}},
+              .rays = "codeflow.rays",
+              .sky_light = "",
+              .picture = [](const Situation&) -> std::string_view { return "codeflow.picture"; },
+              .haze = [](const Situation&) -> std::string_view { return ""; },
+              .fields = [](std::string_view argument, const Situation& s) -> Fields {
+                return argument == "codeflow" ? kernel_fields(*s.parameters) : Fields{};
+              },
+              .sun = "",
+              .segments = false,
+              // Its display shows 1 as white; a day's sky is 1e3 .. 1e4 cd/m^2.
+              .colours = ColourModel{.wavelengths = {}, .luminance = 1e4, .tone = "codeflow"},
+              .parameters = parameters()};
+  return model;
+}
 
 std::vector<Adapter> codeflow_adapters() {
   std::vector<Adapter> list;

@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "airlight/engine.h"
+#include "airlight/model_info.h"
+#include "model/parameters.h"
 #include "optics/bake.h"
 
 namespace airlight {
@@ -18,14 +20,18 @@ using Fields = std::map<std::string, std::vector<double>, std::less<>>;
 
 /// Who looks, for a model's own parameter structs.
 struct Situation {
-  double ground_radius;  ///< [m], of the datum that the kernels take as 0
-  double top_altitude;   ///< [m] above it
-  double altitude;       ///< [m] above it
+  double ground_radius;                ///< [m], of the datum that the kernels take as 0
+  double top_altitude;                 ///< [m] above it
+  double altitude;                     ///< [m] above it
+  const Values* parameters = nullptr;  ///< the model's own, all of them
 };
 
 struct TablePass {
   std::string_view pass;
   Shape shape;
+  std::function<Shape(const Situation&)> sized = {};  ///< where parameters decide the shape
+
+  Shape shape_for(const Situation& situation) const { return sized ? sized(situation) : shape; }
 };
 
 struct Model {
@@ -39,12 +45,26 @@ struct Model {
   std::function<std::string_view(const Situation&)>
       haze;  ///< the pass for points in view, with shadows; empty: `rays`, without
   std::function<Fields(std::string_view argument, const Situation&)> fields;  ///< the model's own parameter structs
+
+  // ---- published systems ----
+  std::string_view sun = "core.sun_irradiance";  ///< answers sunlight for rays; empty: the system does not say
+  bool segments = true;                          ///< answers for rays that end in the air
+  std::optional<ColourModel> colours = {};       ///< answers in red, green and blue, for no given air
+  std::vector<ParameterInfo> parameters = {};    ///< `preset`, a word, takes the values of that preset first
+  std::vector<Preset> presets = {};
 };
+
+/// A model's parameters, all of them: those given, then those of the preset, then the defaults.
+/// @param where  begins the names in messages, "codeflow." or ""
+/// @throws InputError naming parameter, value and range
+Values model_parameters(const Model& model, const Parameters& given, std::string_view where);
 
 std::span<const Model> all_models();
 /// @throws InputError with "did you mean".
 const Model& find_model(std::string_view name);
 
+Model codeflow_model();
+Model hoffman_preetham_model();
 Model single_model();
 Model skyview_model();
 

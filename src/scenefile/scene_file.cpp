@@ -11,6 +11,7 @@
 #include "optics/number_text.h"
 #include "optics/validate.h"
 #include "scenefile/atmosphere_file.h"
+#include "scenefile/model_toml.h"
 #include "scenefile/scene_toml.h"
 #include "scenefile/text_file.h"
 #include "scenefile/toml_text.h"
@@ -261,8 +262,8 @@ ScenePicture read_picture(TableReader reader) {
                   " = " + toml_text(reader.text("exposure")) + ": expected \"auto\" or a number, -100 .. 100 EV");
     p.exposure_ev = number(reader, "exposure", {-100, 100, "EV"});
   }
-  constexpr std::array<std::string_view, 2> tones{"filmic", "reinhard"};
-  p.tone = tones[choice(reader, "tone", tones, 0)];
+  constexpr std::array<std::string_view, 4> tones{"filmic", "reinhard", "clip", "codeflow"};
+  if (reader.has("tone")) p.tone = tones[choice(reader, "tone", tones, 0)];
   reader.finish();
   return p;
 }
@@ -288,6 +289,7 @@ Scene read_scene(const toml::table& document, const std::string& file) {
   if (root.has("surface")) scene.surface = read_surface(root.table("surface"));
   if (root.has("picture")) scene.picture = read_picture(root.table("picture"));
   scene.camera = read_camera(root.table("camera"));
+  scene.parameters = read_model_tables(root);
   root.has("animate");
   root.finish();
   if (scene.land.relief && scene.land.extent > 1000 * scene.land.relief->wavelength) {

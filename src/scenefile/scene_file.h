@@ -1,10 +1,12 @@
 // Scenes as TOML: air, sun, land, camera and picture. docs/scene_file.md lists every key.
 #pragma once
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
 
 #include "airlight/atmosphere.h"
+#include "airlight/parameters.h"
 #include "scene/land.h"
 #include "scene/scene_camera.h"
 #include "scene/scene_sun.h"
@@ -19,7 +21,7 @@ struct ScenePicture {
   bool air_shadows = true;   ///< mountains cut the light out of the haze
   std::string model = "skyview";
   std::optional<double> exposure_ev;  ///< of a .png [EV]; none: automatic
-  std::string tone = "filmic";        ///< or "reinhard"
+  std::string tone;  ///< filmic, reinhard, clip or codeflow; empty: filmic, or a published system's own
 };
 
 struct Scene {
@@ -33,6 +35,7 @@ struct Scene {
   double detail = 1.5;    ///< wanted side of a triangle [pixels]
   SurfaceSettings surface;
   ScenePicture picture;
+  std::map<std::string, Parameters, std::less<>> parameters;  ///< of published systems, by model
 };
 
 /// @param file  for messages; files named inside are looked for beside it

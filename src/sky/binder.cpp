@@ -3,7 +3,18 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "airlight/error.h"
+
 namespace airlight {
+namespace {
+
+// A published system has no air that the general passes could ask for: that is the question's mistake. Elsewhere it is the program's.
+[[noreturn]] void unbound(const Model& model, const std::string& what) {
+  if (model.colours) throw InputError("model " + std::string(model.name) + " does not answer this: " + what);
+  throw std::logic_error(what);
+}
+
+}  // namespace
 
 std::vector<double> Binder::parameters(const PassInfo& pass, Shape shape) const {
   std::vector<double> numbers;
@@ -18,8 +29,8 @@ std::vector<double> Binder::parameters(const PassInfo& pass, Shape shape) const 
       const std::size_t count = std::size_t(components(field.type));
       const auto found = fields.find(field.name);
       if (found == fields.end() && !field.name.starts_with("pad")) {
-        throw std::logic_error("pass " + std::string(pass.name) + ": nothing sets " + std::string(argument.name) + "." +
-                               std::string(field.name));
+        unbound(model_, "pass " + std::string(pass.name) + ": nothing sets " + std::string(argument.name) + "." +
+                            std::string(field.name));
       }
       for (std::size_t i = 0; i < count; ++i)
         numbers.push_back(found != fields.end() && i < found->second.size() ? found->second[i] : 0);
@@ -33,10 +44,11 @@ Table Binder::table(std::string_view argument, const PassInfo& reader) const {
   for (const TablePass& made : model_.tables) {
     const PassInfo& pass = kernel_pass(made.pass);
     const auto output = std::ranges::find(pass.outputs, argument);
-    if (output != pass.outputs.end()) return run(made.pass, made.shape)[std::size_t(output - pass.outputs.begin())];
+    if (output == pass.outputs.end()) continue;
+    return run(made.pass, made.shape_for(situation_))[std::size_t(output - pass.outputs.begin())];
   }
-  throw std::logic_error("pass " + std::string(reader.name) + ": no pass of model " + std::string(model_.name) +
-                         " makes table " + std::string(argument));
+  unbound(model_, "pass " + std::string(reader.name) + ": no pass of model " + std::string(model_.name) +
+                      " makes table " + std::string(argument));
 }
 
 std::vector<Table> Binder::inputs(const PassInfo& pass) const {

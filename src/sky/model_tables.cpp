@@ -2,6 +2,7 @@
 
 #include <set>
 
+#include "airlight/error.h"
 #include "engine/kernel_index.h"
 #include "optics/bake.h"
 #include "sky/sky_impl.h"
@@ -20,6 +21,9 @@ ModelTables::Texels texels(Engine& engine, const Table& table) {
 ModelTables model_tables(const Atmosphere& atmosphere, std::string_view name, Engine& engine,
                          const std::array<double, 4>& wavelengths, double altitude, const Direction& sun) {
   const Model& model = find_model(name);
+  if (model.colours)
+    throw InputError("model " + std::string(name) +
+                     " has no tables of air: it answers in colours, from its parameters");
   const BakedAir baked = bake(atmosphere, wavelengths, 0, model.air);
   const Situation situation{atmosphere.planet.ground_radius, atmosphere.planet.top_altitude, altitude};
   Binder binder(engine, model, situation);
@@ -51,7 +55,7 @@ ModelTables model_tables(const Atmosphere& atmosphere, std::string_view name, En
     const PassInfo& pass = kernel_pass(made.pass);
     for (std::size_t i = 0; i < pass.outputs.size(); ++i) {
       if (!read.contains(pass.outputs[i])) continue;
-      result.tables[std::string(pass.outputs[i])] = texels(engine, binder.run(made.pass, made.shape)[i]);
+      result.tables[std::string(pass.outputs[i])] = texels(engine, binder.run(made.pass, made.shape_for(situation))[i]);
     }
   }
   return result;

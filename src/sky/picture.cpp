@@ -9,6 +9,20 @@
 #include "sky/sky_impl.h"
 
 namespace airlight {
+namespace {
+
+/// What a unit of each of four channels adds to linear sRGB [cd/m^2].
+std::vector<std::array<double, 3>> srgb_weights(const Atmosphere& atmosphere, std::span<const double> wavelengths) {
+  std::vector<std::array<double, 3>> weights;
+  for (const Xyz& xyz : colour_weights(atmosphere, wavelengths)) weights.push_back(xyz_to_srgb(xyz));
+  return weights;
+}
+/// The channels are red, green and blue already.
+std::vector<std::array<double, 3>> primaries(double luminance) {
+  return {{luminance, 0, 0}, {0, luminance, 0}, {0, 0, luminance}, {0, 0, 0}};
+}
+
+}  // namespace
 
 bool Sky::render(const Camera& camera, Direction sun, const PictureOptions& options,
                  const std::function<bool(int, int, std::span<const float>)>& strip) const {
@@ -16,12 +30,21 @@ bool Sky::render(const Camera& camera, Direction sun, const PictureOptions& opti
   check(camera.height >= 1 && camera.height <= 65536, "picture height", camera.height, "1 .. 65536");
   check_altitude(camera.altitude, impl_->atmosphere.planet.ground_radius, {nullptr, "altitude"});
   const Direction to_sun = checked_unit(sun, {nullptr, "sun"});
+  const std::optional<ColourModel>& colours = impl_->model->colours;
+  if (colours && !options.wavelengths.empty())
+    throw InputError("a picture of " + std::to_string(options.wavelengths.size()) +
+                     " wavelengths: expected none: model " + std::string(impl_->model->name) +
+                     " draws in red, green and blue");
   std::vector<double> wavelengths = options.wavelengths;
   if (wavelengths.empty()) wavelengths.assign(realtime_quad.begin(), realtime_quad.end());
   if (wavelengths.size() % 4)
     throw InputError("a picture of " + std::to_string(wavelengths.size()) +
                      " wavelengths: expected a multiple of four");
-  const std::vector<Xyz> weights = colour_weights(impl_->atmosphere, wavelengths);
+  const std::vector<std::array<double, 3>> weights =
+      colours ? primaries(colours->luminance) : srgb_weights(impl_->atmosphere, wavelengths);
+
+  const double sun_radius =
+      colours && colours->sun_radius > 0 ? colours->sun_radius : impl_->atmosphere.sun.angular_radius;
 
   struct Draw {
     const PassInfo* pass;
@@ -35,20 +58,21 @@ bool Sky::render(const Camera& camera, Direction sun, const PictureOptions& opti
     Binder b = impl_->binder(*impl_->model, quad, camera.altitude);
     const Situation s = impl_->situation(camera.altitude, Impl::datum_for(camera.altitude));
     Fields display{{"disc", {options.sun_disc ? 1.0 : 0.0}}};
-    std::array<double, 4> exponent;
-    for (std::size_t k = 0; k < 4; ++k) exponent[k] = impl_->atmosphere.sun.limb_darkening.at(quad[k]);
-    const DiscInPicture disc = disc_in_picture(camera, to_sun, impl_->atmosphere.sun.angular_radius, exponent);
+    std::array<double, 4> exponent{};  // a system of colours has a uniform disc
+    for (std::size_t k = 0; k < 4 && !colours; ++k) exponent[k] = impl_->atmosphere.sun.limb_darkening.at(quad[k]);
+    const DiscInPicture disc = disc_in_picture(camera, to_sun, sun_radius, exponent);
     display["disc_gain"].assign(disc.gain.begin(), disc.gain.end());
     display["disc_radius"] = {disc.radius};
     display["disc_edge"] = {disc.edge};
     for (std::size_t k = 0; k < 4; ++k) {
-      const auto rgb = xyz_to_srgb(weights[w + k]);
+      const auto& rgb = weights[w + k];
       display["red"].push_back(rgb[0]);
       display["green"].push_back(rgb[1]);
       display["blue"].push_back(rgb[2]);
     }
     b.set("camera", camera_fields(camera));
     b.set("observer", observer_fields(to_sun, s.altitude));
+    b.set("sun_direction", Fields{{"direction", {to_sun[0], to_sun[1], to_sun[2], 0}}});
     b.set("display", std::move(display));
     const PassInfo& pass = kernel_pass(impl_->model->picture(s));
     draws.push_back({&pass, b.parameters(pass, shape), b.inputs(pass)});

@@ -7,6 +7,7 @@
 #include "airlight/error.h"
 #include "optics/colour.h"
 #include "sky/checks.h"
+#include "sky/colour_answers.h"
 #include "sky/sky_impl.h"
 
 namespace airlight {
@@ -36,6 +37,26 @@ Ray from_entry(const Ray& ray, double ground_radius, double top) {
   return inside;
 }
 
+/// One run of the passes: its wavelengths, and which component of its texels answers which wavelength asked.
+struct Run {
+  Quad quad{};
+  std::vector<std::pair<std::size_t, std::size_t>> parts;  // component, index of the wavelength
+};
+std::vector<Run> runs_for(const Model& model, std::span<const double> wavelengths) {
+  std::vector<Run> runs;
+  if (model.colours) {
+    Run& run = runs.emplace_back();
+    for (const std::size_t component : colour_components(model, wavelengths))
+      run.parts.push_back({component, run.parts.size()});
+    return runs;
+  }
+  for (std::size_t w = 0; w < wavelengths.size(); w += 4) {
+    Run& run = runs.emplace_back(Run{quad_at(wavelengths, w), {}});
+    for (std::size_t k = 0; k < 4 && w + k < wavelengths.size(); ++k) run.parts.push_back({k, w + k});
+  }
+  return runs;
+}
+
 }  // namespace
 
 void Sky::Impl::answer(Quantity quantity, std::span<const Ray> rays, std::span<const std::size_t> which,
@@ -49,7 +70,7 @@ void Sky::Impl::answer(Quantity quantity, std::span<const Ray> rays, std::span<c
   for (std::size_t i = 0; i < shape.texels(); ++i) {
     Ray r = rays[which[std::min(i, which.size() - 1)]];
     r.altitude -= datum;
-    if (quantity < Quantity::sun_irradiance)
+    if (quantity < Quantity::sun_irradiance && !m.colours)
       r = from_entry(r, atmosphere.planet.ground_radius + datum, atmosphere.planet.top_altitude - datum);
     // Far beyond any air; float squares it.
     const double distance = std::min(r.distance, 1e15);
@@ -57,8 +78,8 @@ void Sky::Impl::answer(Quantity quantity, std::span<const Ray> rays, std::span<c
     set_texel(suns, i, distance, r.sun[0], r.sun[1], r.sun[2]);
   }
   std::vector<double> texels(4 * shape.texels()), more(texels.size());
-  for (std::size_t w = 0; w < wavelengths.size(); w += 4) {
-    Binder b = binder(m, quad_at(wavelengths, w), rays[which[0]].altitude);
+  for (const Run& run : runs_for(m, wavelengths)) {
+    Binder b = binder(m, run.quad, rays[which[0]].altitude);
     b.set("eyes", engine->upload(shape, eyes));
     b.set("suns", engine->upload(shape, suns));
     std::vector<Table> answers;
@@ -66,7 +87,7 @@ void Sky::Impl::answer(Quantity quantity, std::span<const Ray> rays, std::span<c
       b.set("sky_light", b.run(m.sky_light, {256, height, 1})[0]);
       answers = b.run("core.sky_irradiance", shape);
     } else {
-      answers = b.run(quantity == Quantity::sun_irradiance ? "core.sun_irradiance" : m.rays, shape);
+      answers = b.run(quantity == Quantity::sun_irradiance ? m.sun : m.rays, shape);
     }
     // rays: path radiance, transmittance, ground
     const std::size_t part = quantity == Quantity::transmittance ? 1 : 0;
@@ -76,17 +97,18 @@ void Sky::Impl::answer(Quantity quantity, std::span<const Ray> rays, std::span<c
       for (std::size_t i = 0; i < texels.size(); ++i) texels[i] += more[i];
     }
     for (std::size_t i = 0; i < which.size(); ++i) {
-      for (std::size_t k = 0; k < 4 && w + k < wavelengths.size(); ++k) put(which[i], w + k, texels[4 * i + k]);
+      for (const auto& [component, w] : run.parts) put(which[i], w, texels[4 * i + component]);
     }
   }
 }
 
-Sky::Sky(Atmosphere atmosphere, std::string_view model, std::shared_ptr<Engine> engine)
+Sky::Sky(Atmosphere atmosphere, std::string_view model, std::shared_ptr<Engine> engine, const Parameters& parameters)
     : impl_(std::make_unique<Impl>()) {
   validate(atmosphere);
   impl_->atmosphere = std::move(atmosphere);
   impl_->model = &find_model(model);
   impl_->engine = std::move(engine);
+  impl_->parameters = model_parameters(*impl_->model, parameters, std::string(impl_->model->name) + ".");
 }
 Sky::~Sky() = default;
 Sky::Sky(Sky&&) noexcept = default;
@@ -94,15 +116,19 @@ Sky& Sky::operator=(Sky&&) noexcept = default;
 
 const Atmosphere& Sky::atmosphere() const { return impl_->atmosphere; }
 std::string_view Sky::model() const { return impl_->model->name; }
+const Parameters& Sky::parameters() const { return impl_->parameters.all(); }
 Engine& Sky::engine() const { return *impl_->engine; }
 std::array<double, 4> Sky::realtime_wavelengths() const { return realtime_quad; }
 
 void Sky::evaluate(Quantity quantity, std::span<const Ray> rays, std::span<const double> wavelengths,
                    std::span<double> out, int max_order) const {
-  if (out.size() != rays.size() * wavelengths.size()) {
-    throw InputError("size of out = " + std::to_string(out.size()) + ": expected " +
-                     std::to_string(rays.size() * wavelengths.size()) + ", rays times wavelengths");
+  const Model& own = *impl_->model;
+  const std::size_t W = own.colours ? colour_components(own, wavelengths).size() : wavelengths.size();
+  if (out.size() != rays.size() * W) {
+    throw InputError("size of out = " + std::to_string(out.size()) + ": expected " + std::to_string(rays.size() * W) +
+                     ", rays times wavelengths");
   }
+  if (own.colours) check_answerable(own, quantity, rays);
   if (max_order < 0 || max_order > 1)
     throw InputError("max_order = " + std::to_string(max_order) + ": expected 0 (all) or 1 for this model");
   std::vector<Ray> checked(rays.begin(), rays.end());
@@ -115,17 +141,19 @@ void Sky::evaluate(Quantity quantity, std::span<const Ray> rays, std::span<const
     r.sun = checked_unit(r.sun, {"ray", "sun", i});
     groups[Impl::datum_for(r.altitude)].push_back(i);
   }
-  if (rays.empty() || wavelengths.empty()) return;
+  if (rays.empty() || W == 0) return;
+  if (own.colours && max_order != 0)
+    throw InputError("max_order = 1: expected 0: model " + std::string(own.name) + " has no orders of scattering");
   // Light of the first order is what `single` computes.
-  const Model& model = max_order == 1 ? find_model("single") : *impl_->model;
+  const Model& model = max_order == 1 ? find_model("single") : own;
   std::vector<double> answers(out.size());
   for (const auto& [datum, group] : groups) {
     // In parts, so that the tables of a million rays fit an engine.
     constexpr std::size_t part = 4096;
     for (std::size_t begin = 0; begin < group.size(); begin += part) {
-      impl_->answer(
-          quantity, checked, std::span(group).subspan(begin, std::min(part, group.size() - begin)), wavelengths, model,
-          [&](std::size_t ray, std::size_t w, double value) { answers[ray * wavelengths.size() + w] = value; });
+      impl_->answer(quantity, checked, std::span(group).subspan(begin, std::min(part, group.size() - begin)),
+                    wavelengths, model,
+                    [&](std::size_t ray, std::size_t w, double value) { answers[ray * W + w] = value; });
     }
   }
   std::ranges::copy(answers, out.begin());

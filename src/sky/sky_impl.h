@@ -35,6 +35,7 @@ struct Sky::Impl {
   Atmosphere atmosphere;
   const Model* model;
   std::shared_ptr<Engine> engine;
+  Values parameters;  // the model's own
 
   struct Air {
     Fields fields;
@@ -54,14 +55,16 @@ struct Sky::Impl {
   }
 
   Situation situation(double altitude, double datum) const {
-    return {atmosphere.planet.ground_radius + datum, atmosphere.planet.top_altitude - datum, altitude - datum};
+    return {atmosphere.planet.ground_radius + datum, atmosphere.planet.top_altitude - datum, altitude - datum,
+            &parameters};
   }
   static double datum_for(double altitude) { return altitude < 0 ? altitude - eye_height : 0; }
 
   Binder binder(const Model& m, const Quad& quad, double altitude) {
     const double datum = datum_for(altitude);
-    const Air& a = air(m, quad, datum);
     Binder b(*engine, m, situation(altitude, datum));
+    if (m.colours) return b;  // its air is in its parameters
+    const Air& a = air(m, quad, datum);
     b.set("air", a.fields);
     b.set("zones", a.zones);
     b.set("profile", a.profile);
@@ -69,7 +72,7 @@ struct Sky::Impl {
     return b;
   }
 
-  /// Answers rays that share a datum, four wavelengths at a time; `put(ray, wavelength, value)`.
+  /// Answers rays that share a datum, four wavelengths at a time, or in red, green and blue; `put(ray, wavelength, value)`.
   using Put = std::function<void(std::size_t ray, std::size_t wavelength, double value)>;
   void answer(Quantity quantity, std::span<const Ray> rays, std::span<const std::size_t> which,
               std::span<const double> wavelengths, const Model& m, const Put& put);

@@ -45,7 +45,7 @@ TEST(Parameters, out_of_their_range_are_named_with_value_and_range) {
   EXPECT_EQ(complaint({{"g", Numbers{0}}, {"light", Numbers{1, 2}}}),
             "inputs.light = 2 numbers: expected three numbers, or one for a grey");
   EXPECT_EQ(complaint({{"g", Numbers{0}}, {"light", Numbers{1, 2, 11}}}), "inputs.light[2] = 11: expected 0 .. 10");
-  EXPECT_EQ(complaint({{"g", Numbers{0}}, {"top", Numbers{-1}}}), "inputs.top = -1: expected 0 .. 100000 m");
+  EXPECT_EQ(complaint({{"g", Numbers{0}}, {"top", Numbers{-1}}}), "inputs.top = -1: expected 0 .. 1e+05 m");
   EXPECT_EQ(complaint({{"g", Numbers{0}}, {"mode", "printd"}}),
             "inputs.mode = \"printd\": unknown; did you mean printed?");
   EXPECT_EQ(complaint({{"g", Numbers{0}}, {"lihgt", Numbers{0}}}), "inputs.lihgt: unknown key; did you mean light?");
