@@ -27,6 +27,7 @@ std::string fingerprint(const ReferenceSky& sky) {
   for (const auto& [name, value] : sky.metadata)
     std::visit([&, &key = name](const auto& said) { text[key] = said; }, value);
   text["width"] = sky.camera.width;
+  text["walks in a pass"] = reference::RandomPicture::walks_in_a_pass;
   text["height"] = sky.camera.height;
   text["sun"] = sky.sun;
   text["planet"] = {sky.atmosphere.planet.ground_radius, sky.atmosphere.planet.top_altitude,

@@ -10,18 +10,16 @@
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <numbers>
 #include <set>
 #include <string>
 
 #include "reference/monte_carlo.h"
+#include "yardstick.h"
 
 namespace {
 
 using namespace airlight;
 using Json = nlohmann::ordered_json;
-
-constexpr double degree = std::numbers::pi / 180;
 
 /// Standard error over value that is asked for; twilight costs more.
 double target_error(double sun_elevation) {
@@ -29,16 +27,6 @@ double target_error(double sun_elevation) {
   if (sun_elevation >= -2) return 0.005;
   if (sun_elevation >= -6) return 0.01;
   return 0.03;
-}
-
-Ray read_ray(const Json& line) {
-  const auto towards = [&](const std::string& what) {
-    const double zenith = line.at(what + "_zenith"), azimuth = line.at(what + "_azimuth");
-    return direction(azimuth * degree, (90 - zenith) * degree);
-  };
-  Ray ray{.altitude = line.at("altitude"), .view = towards("view"), .sun = towards("sun")};
-  if (line.contains("distance")) ray.distance = line.at("distance");
-  return ray;
 }
 
 /// Six digits: more than the values have.
@@ -52,7 +40,7 @@ std::vector<double> short_numbers(std::vector<double> values) {
 }
 
 Json solve(const reference::MonteCarlo& solver, const Json& line) {
-  const Ray ray = read_ray(line);
+  const Ray ray = accuracy::read_ray(line);
   // A ray that looks at nothing, or at a last glimmer, ends here with the error that it has.
   constexpr long most_walks = 4'000'000;
   const reference::Budget budget{.walks = most_walks,
