@@ -170,8 +170,7 @@ TEST(EvalRequest, numbers_that_json_lacks_are_strings) {
     ASSERT_EQ(request.error, "");
     ASSERT_EQ(request.varying.size(), 1u);
     EXPECT_FALSE(std::isfinite(request.varying[0]));
-    EXPECT_EQ(eval_answer(request.id, *request.function, request.varying).dump(),
-              std::string(R"({"id":1,"value":[)") + text + "]}");
+    EXPECT_EQ(eval_answer(request, request.varying).dump(), std::string(R"({"id":1,"value":[)") + text + "]}");
   }
 }
 
