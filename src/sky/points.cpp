@@ -192,6 +192,8 @@ void Sky::haze(double altitude, Direction sun, std::span<const Sight> points, st
 void Sky::surface(std::span<const SurfacePoint> points, double sun_zenith_cosine, std::span<const double> wavelengths,
                   std::span<const double> albedo, std::span<double> radiance, std::span<double> skylight) const {
   check(std::abs(sun_zenith_cosine) <= 1, "sun_zenith_cosine", sun_zenith_cosine, "-1 .. 1");
+  if (impl_->model->colours)
+    throw InputError("model " + std::string(impl_->model->name) + " says nothing on light that surfaces reflect");
   const std::size_t expected = points.size() * wavelengths.size();
   check(albedo.size() == expected, "size of albedo", double(albedo.size()), "points times wavelengths");
   check(radiance.size() == expected, "size of radiance", double(radiance.size()), "points times wavelengths");

@@ -186,6 +186,8 @@ TEST(CodeflowSky, answers_for_the_colour_of_the_sky_alone) {
             "model codeflow: wavelength 550 nm: expected none; it answers in relative red, green and blue");
   EXPECT_EQ(ask(Quantity::transmittance, {}, {}), "model codeflow says nothing on transmittance");
   EXPECT_EQ(ask(Quantity::sun_irradiance, {}, {}), "model codeflow says nothing on sun_irradiance");
+  EXPECT_EQ(complaint([&] { on.surface({}, 0.5, {}, {}, {}, {}); }),
+            "model codeflow says nothing on light that surfaces reflect");
   EXPECT_EQ(ask(Quantity::radiance, {.distance = 100}, {}),
             "ray 0: distance = 100: expected infinity: model codeflow knows the sky alone");
 }

@@ -147,6 +147,23 @@ TEST_P(HoffmanPreethamSky, air_adds_up_along_a_path) {
   }
 }
 
+// The points of a picture with depth are the same question: L = L0 F_ex + L_in.
+TEST_P(HoffmanPreethamSky, hazes_points_as_rays) {
+  const Sky sky(built_in_atmosphere("earth"), "hoffman_preetham", engine);
+  const Direction sun{0, 0.6, 0.8}, view{0.6, 0, 0.8};
+  const std::vector<Sight> points{{.view = view, .distance = 10e3}, {.view = view}};
+  Numbers light(6), left(6);
+  sky.haze(0, sun, points, Numbers{650, 570, 475}, nullptr, light, left);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Ray ray{.view = view, .sun = sun, .distance = points[i].distance};
+    const Numbers expected = ask(Quantity::radiance, ray, {}), through = ask(Quantity::transmittance, ray, {});
+    for (std::size_t c = 0; c < 3; ++c) {
+      EXPECT_EQ(light[3 * i + c], expected[c]);
+      EXPECT_EQ(left[3 * i + c], through[c]);
+    }
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(engines, HoffmanPreethamSky, testing::Values("double", "simd", "gl"),
                          [](const auto& tested) { return std::string(tested.param); });
 
