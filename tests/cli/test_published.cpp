@@ -40,7 +40,7 @@ TEST(Adapters, refuse_what_their_inputs_may_not_be) {
   EXPECT_NE(complaint(R"({"zenith_deg":91})").find("inputs.zenith_deg = 91: expected 0 .. 90 degrees"),
             std::string::npos);
   EXPECT_NE(complaint(R"({"zenith_deg":"nan"})").find("inputs.zenith_deg"), std::string::npos);
-  EXPECT_NE(complaint(R"({"zenith":1})").find("inputs.zenith: unknown key; did you mean zenith_deg?"),
+  EXPECT_NE(complaint(R"({"zenith_dg":1})").find("inputs.zenith_dg: unknown key; did you mean zenith_deg?"),
             std::string::npos);
   EXPECT_NE(complaint(R"({"zenith_deg":1})", "simd").find("runs on engine double alone, not on simd"),
             std::string::npos);
