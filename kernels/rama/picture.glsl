@@ -26,9 +26,9 @@ FN Vec3 rama_eye(IN(RamaEye) eye, Float altitude) {
 }
 
 /// Light that a texel's air scatters to all sides [W m^-2 sr^-1 km^-1].
-FN Vec4 rama_source_pass(IN(Rama) rama, Table2 lights, Vec3 uvw) {
+FN Vec4 rama_source_pass(IN(Rama) air_of_table, Table2 lights, Vec3 uvw) {
   Vec3 q = rama_texel_point(floor(uvw.x * 49.0), floor(uvw.y * 33.0), floor(uvw.z * 33.0));
-  return rama_source(rama, lights, q, Vec3(1.0, 0.0, 0.0), 0.0);
+  return rama_source(air_of_table, lights, q, Vec3(1.0, 0.0, 0.0), 0.0);
 }
 
 /// Light that the air at places scatters to all sides [W m^-2 sr^-1 km^-1].

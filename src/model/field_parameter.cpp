@@ -32,4 +32,11 @@ Fields struct_fields(std::string_view struct_name, const Values& values) {
   return fields;
 }
 
+Fields zero_fields(std::string_view struct_name) {
+  Fields fields;
+  for (const ArgumentInfo& field : kernel_struct(struct_name).fields)
+    fields.emplace(field.name, std::vector<double>(std::size_t(components(field.type)), 0.0));
+  return fields;
+}
+
 }  // namespace airlight

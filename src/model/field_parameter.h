@@ -14,4 +14,7 @@ ParameterInfo field_parameter(std::string_view struct_name, std::string_view fie
 /// The fields of a struct from the values of the same names; fields that have none are left out.
 Fields struct_fields(std::string_view struct_name, const Values& values);
 
+/// Every field of a struct at 0: for passes that read a few of them.
+Fields zero_fields(std::string_view struct_name);
+
 }  // namespace airlight

@@ -2,11 +2,12 @@
 // higher orders, and with it twilight, is left out; docs/models/jetlag.md says what else.
 #include "model/jetlag.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "airlight/error.h"
-#include "model/adapter.h"
+#include "model/field_parameter.h"
 #include "model/jetlag_noise.h"
 #include "optics/number_text.h"
 
@@ -67,222 +68,160 @@ Fields jetlag_drift(double t) {
   return drift;
 }
 
-std::vector<double> jetlag_frames(const std::vector<double>& times) {
-  std::vector<double> texels(5 * 4 * times.size());
-  for (std::size_t k = 0; k < times.size(); ++k) {
-    Fields drift = jetlag_drift(times[k]);
-    const double at = wrapped(1e5 * times[k]);
+std::vector<double> jetlag_frames(const std::vector<JetlagFrame>& frames) {
+  std::vector<double> texels(5 * 4 * frames.size());
+  for (std::size_t k = 0; k < frames.size(); ++k) {
+    Fields drift = jetlag_drift(frames[k].clouds);
+    const double at = wrapped(1e5 * frames[k].noise);
     const Numbers rows[] = {drift["first"], drift["fourth"], drift["ninth"], drift["seventeenth"], {at, at, 0, 0}};
     for (std::size_t row = 0; row < 5; ++row)
-      for (std::size_t c = 0; c < 4; ++c) texels[4 * (row * times.size() + k) + c] = rows[row][c];
+      for (std::size_t c = 0; c < 4; ++c) texels[4 * (row * frames.size() + k) + c] = rows[row][c];
   }
   return texels;
 }
 
-// ---- the functions that the specification names; y up ----
+// ---- the model ----
 
 namespace {
 
-Numbers unit(const Values& in, std::string_view name) {
-  Numbers v = in.numbers(name);
-  const double n = std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-  if (!(std::abs(n - 1) < 1e-3))
-    throw InputError("inputs." + std::string(name) + ": length " + number_text(n) + ": expected a unit vector");
-  for (double& c : v) c /= n;
-  return v;
+ParameterInfo number(std::string_view name, std::string_view unit, double low, double high, double otherwise,
+                     std::string_view text) {
+  return {.name = name, .unit = unit, .text = text, .low = low, .high = high, .otherwise = Numbers{otherwise}};
 }
-
-// Gap and distance along a ray from the Earth's centre, as kernels/jetlag/jetlag.glsl defines them.
-double gap_of(const Numbers& p) { return p[0] * p[0] + p[1] * p[1] + p[2] * p[2] + 2 * jetlag_ground_radius * p[1]; }
-double along_of(const Numbers& p, const Numbers& d) {
-  return p[0] * d[0] + p[1] * d[1] + p[2] * d[2] + jetlag_ground_radius * d[1];
-}
-
-const ParameterInfo length_key{.name = "L_m", .unit = "m", .text = "length of the ray", .low = 0, .high = 1e8};
-ParameterInfo place_key(std::string_view name) {
-  return {
-      .name = name, .kind = Kind::vector, .unit = "m", .text = "y up, origin on the ground", .low = -1e7, .high = 1e7};
-}
-ParameterInfo direction_key(std::string_view name) {
-  return {.name = name, .kind = Kind::vector, .text = "unit vector, y up", .low = -1.001, .high = 1.001};
-}
-ParameterInfo steps_key(std::string_view name, double otherwise) {
-  return {.name = name, .kind = Kind::whole, .low = 1, .high = 1024, .otherwise = Numbers{otherwise}};
-}
-ParameterInfo number_key(std::string_view name, std::string_view unit, double low, double high, double otherwise) {
-  return {.name = name, .unit = unit, .low = low, .high = high, .otherwise = Numbers{otherwise}};
-}
-ParameterInfo sun_key() {
-  ParameterInfo key = direction_key("sun");
-  const double n = std::sqrt(2.0001);  // where the demo begins
-  key.otherwise = Numbers{1 / n, 0.01 / n, 1 / n};
+ParameterInfo whole(std::string_view name, double low, double high, double otherwise, std::string_view text) {
+  ParameterInfo key = number(name, "1", low, high, otherwise, text);
+  key.kind = Kind::whole;
   return key;
 }
-const ParameterInfo light_behind{.name = "Lo",
-                                 .kind = Kind::colour,
-                                 .text = "light at the ray's end",
-                                 .low = 0,
-                                 .high = 1e6,
-                                 .otherwise = Numbers{0}};
-const ParameterInfo phase_constants{
-    .name = "phase_constants", .kind = Kind::word, .words = {"rounded", "exact"}, .otherwise = "rounded"};
-
-Table upload_noise(KernelCaller& kernels) {
-  static const std::vector<double> texels = jetlag_noise_texels();
-  return kernels.upload({jetlag_noise_size, jetlag_noise_size}, texels);
+ParameterInfo flag(std::string_view name, double otherwise, std::string_view text) {
+  ParameterInfo key = number(name, "1", 0, 1, otherwise, text);
+  key.kind = Kind::flag;
+  return key;
 }
-Table upload_one(KernelCaller& kernels, double x, double y, double z, double w) {
-  return kernels.upload({1, 1}, Numbers{x, y, z, w});
-}
-Table upload_place(KernelCaller& kernels, const Numbers& p, double w = 0) {
-  return upload_one(kernels, p[0], p[1], p[2], w);
+ParameterInfo word(std::string_view name, std::vector<std::string_view> words, std::string_view text) {
+  ParameterInfo key{.name = name, .kind = Kind::word, .text = text, .words = std::move(words)};
+  key.otherwise = std::string(key.words.front());
+  return key;
 }
 
-/// Light at the eye of light `Lo` behind a ray's length of air: the rays pass, whose world has z up.
-Numbers scatter(KernelCaller& kernels, const Values& in, JetlagSettings settings, double time) {
-  const Numbers o = in.numbers("o_m"), view = unit(in, "dir"), sun = unit(in, "sun");
-  settings.east = o[0], settings.south = o[2];
-  settings.ground_reach = 0;
-  settings.exact_phase = in.word("phase_constants") == "exact";
-  const auto answers = kernels.run("jetlag.rays", {{"jetlag", jetlag_fields(settings)}, {"drift", jetlag_drift(time)}},
-                                   {{"noise", upload_noise(kernels)},
-                                    {"eyes", upload_one(kernels, o[1], view[0], -view[2], view[1])},
-                                    {"suns", upload_one(kernels, in.number("L_m"), sun[0], -sun[2], sun[1])}},
-                                   {1, 1});
-  Numbers light = kernels.read(answers[0]);
-  const Numbers through = kernels.read(answers[1]);
-  light.resize(3);
-  for (std::size_t c = 0; c < 3; ++c) light[c] += in.numbers("Lo")[c] * through[c];
-  return light;
+const std::vector<ParameterInfo>& parameters() {
+  static const std::vector<ParameterInfo> keys{
+      word("mode", {"cloud", "clear"}, "the final program, with clouds and eightfold haze, or the first, without"),
+      number("time", "s", 0, 1e6, 20, "moves the clouds"),
+      flag("jitter", 1, "begins each pixel's steps at random: grain in place of bands"),
+      word("phase_constants", {"rounded", "exact"}, "of the phase functions"),
+      word("sun_top_length", {"printed", "corrected"}, "of the way to the Sun above the clouds' top"),
+      word("sampling", {"printed", "midpoint"},
+           "left ends of steps dimmed by the whole step, or their middles by half"),
+      number("sun_intensity", "1", 0, 1000, 10, "sunlight above the air"),
+      number("albedo", "1", 0, 1, 0.3, "of the ground"),
+      number("ground_reach", "m", 0, 1e7, 10000, "ground farther away is not seen"),
+      number("near", "m", 100, 1e5, 10000, "first zone of a long ray, with clouds"),
+      number("east", "m", -1e5, 1e5, 0, "place of the eye"),
+      number("south", "m", -1e5, 1e5, 0, "place of the eye; clouds end 25 km south"),
+      whole("short_steps", 1, 64, 16, "of rays without clouds, or shorter than the first zone"),
+      whole("near_steps", 1, 64, 32, "in the first zone"),
+      whole("far_steps", 1, 64, 8, "beyond it"),
+      whole("cloud_light_steps", 1, 64, 16, "towards the Sun, below the clouds' top"),
+      whole("top_light_steps", 1, 64, 4, "above it"),
+      whole("clear_light_steps", 1, 64, 4, "without clouds"),
+      whole("frames", 1, 256, 1, "that make up a picture"),
+      number("blend", "1", 0, 1, 0.3, "weight of each new frame, blended as encoded by a square root; 0: mean of all"),
+      number("frame_rate", "1/s", 1, 240, 30, "of frames that are blended"),
+      flag("still", 0, "clouds stand still while frames gather"),
+      word("show", {"picture", "transmittance"}, "what a picture shows"),
+      number("exposure", "1", 0, 1000, 1, "in pictures")};
+  return keys;
+}
+
+JetlagSettings settings_of(const Values& v) {
+  JetlagSettings s;
+  s.clouds = v.word("mode") == "cloud";
+  s.exact_phase = v.word("phase_constants") == "exact";
+  s.corrected_top_length = v.word("sun_top_length") == "corrected";
+  s.midpoint = v.word("sampling") == "midpoint";
+  if (s.midpoint) s.jitter_view = s.jitter_light = 0.5;
+  s.random_jitter = v.flag("jitter") && !s.midpoint;
+  s.sun_intensity = v.number("sun_intensity");
+  s.albedo = v.number("albedo");
+  s.near = v.number("near");
+  s.ground_reach = v.number("ground_reach");
+  s.east = v.number("east");
+  s.south = v.number("south");
+  const auto steps = [&v](std::string_view name) { return int(v.number(name)); };
+  s.short_steps = steps("short_steps");
+  s.near_steps = steps("near_steps");
+  s.far_steps = steps("far_steps");
+  s.cloud_light_steps = steps("cloud_light_steps");
+  s.top_light_steps = steps("top_light_steps");
+  s.clear_light_steps = steps("clear_light_steps");
+  return s;
+}
+
+// No texel may turn its loops oftener (docs/architecture.md).
+constexpr double most_turns = 60000;
+
+int checked_frames(const Values& v) {
+  const JetlagSettings s = settings_of(v);
+  const double view = s.clouds ? std::max(s.short_steps, s.near_steps + s.far_steps) : s.short_steps;
+  const double light = s.clouds ? s.cloud_light_steps + s.top_light_steps : s.clear_light_steps;
+  const double turns = view * (1 + light) + 32, most = std::floor(most_turns / turns);
+  if (v.number("frames") > most || most < 1) {
+    throw InputError("jetlag.frames = " + number_text(v.number("frames")) + ": expected 1 .. " + number_text(most) +
+                     " with these numbers of steps: a pixel turns its loops " + number_text(most_turns) +
+                     " times at most");
+  }
+  return int(v.number("frames"));
+}
+
+HostTable frames_table(const Values& v) {
+  const int count = checked_frames(v);
+  std::vector<JetlagFrame> frames;
+  for (int k = 0; k < count; ++k) {
+    const double time = v.number("time") - (count - 1 - k) / v.number("frame_rate");
+    frames.push_back({v.flag("still") ? v.number("time") : time, time});
+  }
+  return {{count, 5}, jetlag_frames(frames)};
+}
+
+// The sum over the sky asks for the light before all air: here it is in the rays' own light.
+Fields unit_air() {
+  Fields air = zero_fields("Air");
+  air["solar_irradiance"] = {1, 1, 1, 1};
+  return air;
 }
 
 }  // namespace
 
-std::vector<Adapter> jetlag_adapters() {
-  JetlagSettings clear;
-  clear.clouds = false;
-  const Fields clear_air = jetlag_fields(clear);
-  std::vector<Adapter> list;
-  list.push_back({.name = "jetlag.density_clear",
-                  .text = "Densities of molecules and haze without clouds, relative to sea level",
-                  .inputs = {place_key("p_m")},
-                  .outputs = "molecules, haze",
-                  .unit = "1",
-                  .call = [clear_air](KernelCaller& kernels, const Values& in) {
-                    const auto height =
-                        kernels.call("jetlag.height", {{"gap", {gap_of(in.numbers("p_m"))}}}, {{"jetlag", clear_air}});
-                    return kernels.call("jetlag.density", {{"height", height}}, {{"jetlag", clear_air}});
-                  }});
-  list.push_back({.name = "jetlag.escape",
-                  .text = "Distance to a sphere about the Earth's centre: where a ray enters it, else where it leaves; "
-                          "-1 if it misses",
-                  .inputs = {place_key("p_m"),
-                             direction_key("dir"),
-                             {.name = "R_m", .unit = "m", .text = "radius", .low = 1, .high = 1e8}},
-                  .outputs = "distance",
-                  .unit = "m",
-                  .call = [](KernelCaller& kernels, const Values& in) {
-                    const Numbers& p = in.numbers("p_m");
-                    const double above = in.number("R_m") - jetlag_ground_radius;
-                    return kernels.call("jetlag.escape", {{"gap", {gap_of(p)}},
-                                                          {"along", {along_of(p, unit(in, "dir"))}},
-                                                          {"shell", {above * (2 * jetlag_ground_radius + above)}}});
-                  }});
-  list.push_back({.name = "jetlag.depth_integral_clear",
-                  .text = "Depths of molecules and haze along a ray, in equal steps from its beginning",
-                  .inputs = {place_key("o_m"), direction_key("dir"), length_key, steps_key("steps", 16)},
-                  .outputs = "molecules, haze",
-                  .unit = "m",
-                  .call = [clear](KernelCaller& kernels, const Values& in) {
-                    JetlagSettings settings = clear;
-                    settings.clear_light_steps = int(in.number("steps"));
-                    Numbers depth = kernels.read(
-                        kernels.run("jetlag.depth", {{"jetlag", jetlag_fields(settings)}, {"drift", jetlag_drift(0)}},
-                                    {{"noise", upload_noise(kernels)},
-                                     {"places", upload_place(kernels, in.numbers("o_m"), in.number("L_m"))},
-                                     {"directions", upload_place(kernels, unit(in, "dir"))}},
-                                    {1, 1})[0]);
-                    depth.resize(2);
-                    return depth;
-                  }});
-  list.push_back(
-      {.name = "jetlag.noise31",
-       .text = "The noise at three coordinates, in texels",
-       .inputs = {{.name = "v", .kind = Kind::vector, .unit = "texel", .low = -1e9, .high = 1e9}},
-       .outputs = "noise",
-       .unit = "1",
-       .call = [](KernelCaller& kernels, const Values& in) {
-         Numbers v = in.numbers("v");
-         for (double& c : v) c = wrapped(c);
-         Numbers noise = kernels.read(kernels.run(
-             "jetlag.noise", {}, {{"noise", upload_noise(kernels)}, {"places", upload_place(kernels, v)}}, {1, 1})[0]);
-         noise.resize(1);
-         return noise;
-       }});
-  list.push_back(
-      {.name = "jetlag.noise_byte",
-       .text = "A byte of the noise table: row by row; red, green, blue, alpha",
-       .inputs =
-           {{.name = "index", .kind = Kind::whole, .low = 0, .high = 4.0 * jetlag_noise_size * jetlag_noise_size - 1}},
-       .outputs = "byte",
-       .unit = "1",
-       .call = [](KernelCaller&, const Values& in) {
-         return Numbers{double(jetlag_noise_byte(static_cast<std::uint32_t>(in.number("index"))))};
-       }});
-  list.push_back(
-      {.name = "jetlag.density_cloud",
-       .text = "Densities of molecules and of haze with clouds, and the noise that shapes those",
-       .inputs = {place_key("p_m"), number_key("t_s", "s", 0, 1e6, 0)},
-       .outputs = "molecules, haze, noise",
-       .unit = "1",
-       .call =
-           [](KernelCaller& kernels, const Values& in) {
-             Numbers density = kernels.read(kernels.run(
-                 "jetlag.density", {{"jetlag", jetlag_fields({})}, {"drift", jetlag_drift(in.number("t_s"))}},
-                 {{"noise", upload_noise(kernels)}, {"places", upload_place(kernels, in.numbers("p_m"))}}, {1, 1})[0]);
-             density.resize(3);
-             return density;
-           },
-       .bound = 2e-2});
-  list.push_back({.name = "jetlag.scatter_clear",
-                  .text = "Light of a ray through clear air, with what is behind it",
-                  .inputs = {place_key("o_m"), direction_key("dir"), length_key, light_behind, sun_key(),
-                             steps_key("steps", 16), steps_key("light_steps", 4), phase_constants},
-                  .outputs = "red, green, blue",
-                  .unit = "1",
-                  .call = [clear](KernelCaller& kernels, const Values& in) {
-                    JetlagSettings settings = clear;
-                    settings.short_steps = int(in.number("steps"));
-                    settings.clear_light_steps = int(in.number("light_steps"));
-                    return scatter(kernels, in, settings, 0);
-                  }});
-  list.push_back(
-      {.name = "jetlag.scatter_cloud",
-       .text = "Light of a ray through air with clouds, with what is behind it",
-       .inputs =
-           {place_key("o_m"),
-            direction_key("dir"),
-            length_key,
-            light_behind,
-            sun_key(),
-            number_key("t_s", "s", 0, 1e6, 0),
-            number_key("jitter_view", "step", 0, 1, 0),
-            number_key("jitter_light", "step", 0, 1, 0),
-            {.name = "sun_top_length", .kind = Kind::word, .words = {"printed", "corrected"}, .otherwise = "printed"},
-            phase_constants},
-       .outputs = "red, green, blue",
-       .unit = "1",
-       .call =
-           [](KernelCaller& kernels, const Values& in) {
-             JetlagSettings settings;
-             settings.corrected_top_length = in.word("sun_top_length") == "corrected";
-             // A step less where the value is 1, as published: 1 counts as 0.999.
-             settings.jitter_view = std::min(in.number("jitter_view"), 0.999);
-             settings.jitter_light = std::min(in.number("jitter_light"), 0.999);
-             return scatter(kernels, in, settings, in.number("t_s"));
-           },
-       .bound = 2e-2});
-  return list;
+Model jetlag_model() {
+  return {.name = "jetlag",
+          .summary = "the marched sky of the intro \"Appear\": clouds as dense haze, shafts of light; relative colours",
+          .air = {},
+          .tables = {},
+          .rays = "jetlag.rays",
+          .sky_light = "jetlag.sky_light",
+          .picture = [](const Situation&) -> std::string_view { return "jetlag.picture"; },
+          .haze = [](const Situation&) -> std::string_view { return ""; },
+          .fields = [](std::string_view argument, const Situation& s) -> Fields {
+            const Values& v = *s.parameters;
+            if (argument == "jetlag") return jetlag_fields(settings_of(v));
+            if (argument == "drift") return jetlag_drift(v.number("time"));
+            if (argument == "air") return unit_air();
+            if (argument == "frames")
+              return {{"count", v.numbers("frames")},
+                      {"blend", v.numbers("blend")},
+                      {"show", {v.word("show") == "picture" ? 0.0 : 1.0}}};
+            return {};
+          },
+          .sun = "jetlag.sun_irradiance",
+          .data = [](std::string_view argument, const Situation& s) -> HostTable {
+            if (argument == "noise") return {{jetlag_noise_size, jetlag_noise_size}, jetlag_noise_texels()};
+            if (argument == "drifts") return frames_table(*s.parameters);
+            return {};
+          },
+          // Its sunlight of 10 stands for 1.33e5 lx (data/solar_irradiance.csv).
+          .colours = ColourModel{.wavelengths = {}, .luminance = 1.33e4, .tone = "clip"},
+          .parameters = parameters()};
 }
 
 }  // namespace airlight

@@ -25,8 +25,10 @@ Fields jetlag_fields(const JetlagSettings& settings);
 /// The kernels' struct JetlagDrift at a time [s].
 Fields jetlag_drift(double time);
 
+struct JetlagFrame {
+  double clouds, noise;  ///< times [s] that move the clouds, and the random numbers
+};
 /// Frames that make up a picture as a table: a frame a column; rows: the drift's four members, then where its random numbers are.
-/// @param times  of the frames [s]
-std::vector<double> jetlag_frames(const std::vector<double>& times);
+std::vector<double> jetlag_frames(const std::vector<JetlagFrame>& frames);
 
 }  // namespace airlight

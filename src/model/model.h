@@ -34,6 +34,12 @@ struct TablePass {
   Shape shape_for(const Situation& situation) const { return sized ? sized(situation) : shape; }
 };
 
+/// RGBA values that the host made; none: there is no such table.
+struct HostTable {
+  Shape shape;
+  std::vector<double> rgba;
+};
+
 struct Model {
   std::string_view name;
   std::string_view summary;
@@ -48,9 +54,10 @@ struct Model {
 
   // ---- published systems ----
   std::string_view sun = "core.sun_irradiance";  ///< answers sunlight for rays; empty: the system does not say
-  bool segments = true;                          ///< answers for rays that end in the air
-  std::optional<ColourModel> colours = {};       ///< answers in red, green and blue, for no given air
-  std::vector<ParameterInfo> parameters = {};    ///< `preset`, a word, takes the values of that preset first
+  std::function<HostTable(std::string_view argument, const Situation&)> data = {};  ///< tables that no pass makes
+  bool segments = true;                        ///< answers for rays that end in the air
+  std::optional<ColourModel> colours = {};     ///< answers in red, green and blue, for no given air
+  std::vector<ParameterInfo> parameters = {};  ///< `preset`, a word, takes the values of that preset first
   std::vector<Preset> presets = {};
 };
 
@@ -65,6 +72,9 @@ const Model& find_model(std::string_view name);
 
 Model codeflow_model();
 Model hoffman_preetham_model();
+Model jetlag_model();
+Model rama_model();
+Model realworldz_model();
 Model single_model();
 Model skyview_model();
 

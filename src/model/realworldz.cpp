@@ -4,8 +4,10 @@
 
 #include <cmath>
 
-#include "model/adapter.h"
+#include "airlight/error.h"
+#include "model/realworldz_stars.h"
 #include "model/realworldz_table.h"
+#include "optics/number_text.h"
 
 namespace airlight {
 namespace {
@@ -34,170 +36,173 @@ Fields realworldz_fields(const RealworldzSettings& s) {
           {"relief", {s.bounding_radius - s.ground_radius}}};
 }
 
-// ---- the functions that the specification names ----
+// ---- the model ----
 
 namespace {
 
-ParameterInfo number_key(std::string_view name, std::string_view unit, double low, double high, double otherwise) {
-  return {.name = name, .unit = unit, .low = low, .high = high, .otherwise = Numbers{otherwise}};
+ParameterInfo number(std::string_view name, std::string_view unit, double low, double high, double otherwise,
+                     std::string_view text) {
+  return {.name = name, .unit = unit, .text = text, .low = low, .high = high, .otherwise = Numbers{otherwise}};
 }
-ParameterInfo place_key(std::string_view name) {
-  return {.name = name, .kind = Kind::vector, .unit = "m", .low = -1e9, .high = 1e9};
+ParameterInfo colour(std::string_view name, double high, const std::array<double, 3>& otherwise,
+                     std::string_view text) {
+  return {.name = name,
+          .kind = Kind::colour,
+          .text = text,
+          .low = 0,
+          .high = high,
+          .otherwise = Numbers(otherwise.begin(), otherwise.end())};
 }
-ParameterInfo place_key(std::string_view name, Numbers otherwise) {
-  ParameterInfo key = place_key(name);
-  key.otherwise = std::move(otherwise);
-  return key;
+ParameterInfo flag(std::string_view name, double otherwise, std::string_view text) {
+  return {.name = name, .kind = Kind::flag, .text = text, .low = 0, .high = 1, .otherwise = Numbers{otherwise}};
 }
-ParameterInfo colour_key(std::string_view name, double high, double otherwise) {
-  return {.name = name, .kind = Kind::colour, .low = 0, .high = high, .otherwise = Numbers{otherwise}};
-}
-ParameterInfo rgba_key(std::string_view name) {
-  return {.name = name, .kind = Kind::vector, .low = 0, .high = 1e6, .size = 4};
-}
-const ParameterInfo viewer = place_key("viewer", {0, 60e3, 0}), centre = place_key("p", {0, 0, 0}),
-                    bounding = number_key("Rb", "m", 1, 1e9, 63e3), outer = number_key("ro", "m", 1, 1e9, 66e3),
-                    inner = number_key("ri", "m", 1, 1e9, 58e3);
 
-Numbers from_centre(const Values& in, std::string_view name) {
-  Numbers v = in.numbers(name);
-  for (std::size_t c = 0; c < 3; ++c) v[c] -= in.numbers("p")[c];
-  return v;
+const std::vector<ParameterInfo>& parameters() {
+  static const RealworldzSettings known;
+  static const std::vector<ParameterInfo> keys{
+      {.name = "preset",
+       .kind = Kind::word,
+       .text = "a planet; what is given beside it goes before",
+       .words = {"default", "dragon_ridges", "snow"},
+       .otherwise = "default"},
+      number("Rg", "m", 1e3, 1e7, known.ground_radius, "radius of the lowest ground"),
+      number("Rb", "m", 1e3, 1e7, known.bounding_radius, "radius of the highest"),
+      number("ro", "m", 1e3, 1e7, known.outer_radius, "radius of the shell without fog"),
+      number("ri", "m", 1, 1e7, known.inner_radius, "radius of the shell of full fog"),
+      number("c", "1", 0, 2, known.clear, "strength of the clear zone around the viewer"),
+      number("clear_width", "m", 1, 1e7, known.clear_width, "of that zone: the inverse root of d"),
+      flag("autoC", 0, "that strength is the fog's at the viewer: none there"),
+      colour("Tfar", 1, known.far_transmittance, "colour multiplier at full fog"),
+      colour("Sfar", 1e3, known.far_light, "air light at full fog"),
+      colour("sun_light", 1e3, known.sun_light, "on terrain"),
+      number("k", "1/m", 0, 1, known.density, "optical depth of the sky's air per length at the ground"),
+      number("H", "m", 1, 1e6, known.scale_height, "its scale height"),
+      number("Rtop", "m", 1e3, 1e8, known.top_radius, "radius of its top"),
+      number("halo", "1", 0, 10, 0, "strength of a rainbow halo 8 to 10 degrees from the Sun, painted on the table"),
+      flag("terrain", 1, "mountains; 0: a smooth ball"),
+      {.name = "terrain_steps",
+       .kind = Kind::whole,
+       .text = "along a ray",
+       .low = 16,
+       .high = 512,
+       .otherwise = Numbers{192}},
+      number("stars", "sr", 0, 1, 3e-5,
+             "light of the stars: at 1 a star of magnitude 0 that fills a steradian is white"),
+      {.name = "star_size",
+       .kind = Kind::whole,
+       .text = "texels of the star map's faces",
+       .low = 16,
+       .high = 1024,
+       .otherwise = Numbers{512}},
+      number("latitude", "degrees", -90, 90, 30, "place of the viewer, on the planet and under the stars"),
+      number("longitude", "degrees", -360, 360, 20, "place of the viewer"),
+      {.name = "show",
+       .kind = Kind::word,
+       .text = "what a picture shows",
+       .words = {"picture", "fog"},
+       .otherwise = "picture"},
+      number("exposure", "1", 0, 1000, 1, "in pictures")};
+  return keys;
 }
-Numbers with_centre(const Values& in, Numbers v) {
-  for (std::size_t c = 0; c < 3; ++c) v[c] += in.numbers("p")[c];
-  return v;
+
+std::vector<Preset> presets() {
+  return {{"default", "subtle haze", {}},
+          {"dragon_ridges",
+           "white sun, blue sky, red sunset",
+           {{"Sfar", Numbers{0.42, 0.52, 0.72}},
+            {"Tfar", Numbers{0.30, 0.40, 0.58}},
+            {"sun_light", Numbers{1.3, 1.25, 1.15}}}},
+          {"snow",
+           "low dense fog, clear around the viewer, a rainbow halo",
+           {{"Rb", Numbers{61e3}},
+            {"ro", Numbers{61.2e3}},
+            {"ri", Numbers{60.6e3}},
+            {"autoC", Numbers{1}},
+            {"clear_width", Numbers{600}},
+            {"Sfar", Numbers{0.75, 0.80, 0.88}},
+            {"Tfar", Numbers{0.20, 0.22, 0.25}},
+            {"halo", Numbers{0.35}}}}};
 }
-/// The kernels' struct, with what was given in place of the default planet's.
-KernelCaller::Structs planet(const Values& in) {
-  RealworldzSettings settings;
-  const auto take = [&in](std::string_view name, double& value) {
-    if (in.has(name)) value = in.number(name);
+
+RealworldzSettings settings_of(const Values& v) {
+  RealworldzSettings s;
+  const auto colour = [&v](std::string_view name) {
+    return std::array{v.numbers(name)[0], v.numbers(name)[1], v.numbers(name)[2]};
   };
-  take("Rb", settings.bounding_radius);
-  take("ro", settings.outer_radius);
-  take("ri", settings.inner_radius);
-  take("c", settings.clear);
-  take("Rg_m", settings.ground_radius);
-  take("Rtop_m", settings.top_radius);
-  take("k_per_m", settings.density);
-  take("H_m", settings.scale_height);
-  Fields fields = realworldz_fields(settings);
-  if (in.has("d")) fields["clear_falloff"] = in.numbers("d");
-  return {{"rw", fields}};
+  s.ground_radius = v.number("Rg");
+  s.bounding_radius = v.number("Rb");
+  s.outer_radius = v.number("ro");
+  s.inner_radius = v.number("ri");
+  s.clear = v.number("c");
+  s.clear_width = v.number("clear_width");
+  s.auto_clear = v.flag("autoC");
+  s.far_transmittance = colour("Tfar");
+  s.far_light = colour("Sfar");
+  s.sun_light = colour("sun_light");
+  s.density = v.number("k");
+  s.scale_height = v.number("H");
+  s.top_radius = v.number("Rtop");
+  const auto at_least = [](const char* name, double value, const char* other, double bound) {
+    if (!(value >= bound))
+      throw InputError("realworldz." + std::string(name) + " = " + number_text(value) + ": expected at least " + other +
+                       " = " + number_text(bound) + " m");
+  };
+  at_least("Rb", s.bounding_radius, "Rg", s.ground_radius);
+  at_least("ro", s.outer_radius, "Rb", s.bounding_radius);
+  at_least("Rtop", s.top_radius, "Rg", s.ground_radius);
+  if (!(s.inner_radius < s.outer_radius))
+    throw InputError("realworldz.ri = " + number_text(s.inner_radius) +
+                     ": expected less than ro = " + number_text(s.outer_radius) + " m");
+  return s;
+}
+
+Fields view_fields(const Values& v) {
+  const double latitude = v.number("latitude") * pi / 180, longitude = v.number("longitude") * pi / 180;
+  const double c = std::cos(latitude), s = std::sin(latitude), x = std::cos(longitude), y = std::sin(longitude);
+  return {{"east", {-y, x, 0, 0}},
+          {"north", {-s * x, -s * y, c, 0}},
+          {"up", {c * x, c * y, s, 0}},
+          {"star_gain", v.numbers("stars")},
+          {"terrain", v.numbers("terrain")},
+          {"steps", v.numbers("terrain_steps")},
+          {"show", {v.word("show") == "fog" ? 1.0 : 0.0}}};
+}
+
+HostTable sky_colours(const Values& v) {
+  SkyTable painted = realworldz_starter();
+  if (v.number("halo") > 0) paint_halo(painted, 8, 10, v.number("halo"));
+  SkyTable table = realworldz_resampled(painted);
+  return {{table.width, table.height}, std::move(table.rgba)};
 }
 
 }  // namespace
 
-std::vector<Adapter> realworldz_adapters() {
-  std::vector<Adapter> list;
-  list.push_back({.name = "realworldz.shell_a_b",
-                  .text = "Numbers of the shell function a r^2 + b: 0 on the outer shell, 1 on the inner",
-                  .inputs = {outer, inner},
-                  .outputs = "a [m^-2], b [1]",
-                  .unit = "",
-                  .call = [](KernelCaller&, const Values& in) {
-                    const double ro = in.number("ro"), ri = in.number("ri"), apart = (ro - ri) * (ro + ri);
-                    return Numbers{-1 / apart, ro * ro / apart};
-                  }});
-  list.push_back({.name = "realworldz.shell_center_q",
-                  .text = "Centre of the shells, on the far side of the planet's from the viewer",
-                  .inputs = {viewer, centre, bounding, outer, inner},
-                  .outputs = "x, y, z",
-                  .unit = "m",
-                  .call =
-                      [](KernelCaller& kernels, const Values& in) {
-                        return with_centre(
-                            in, kernels.call("realworldz.centre", {{"viewer", from_centre(in, "viewer")}}, planet(in)));
-                      },
-                  .scale = 6e4});
-  list.push_back({.name = "realworldz.fog_F1_F2_Ffinal",
-                  .text = "Fog at a place: shell function, what the clear zone takes off, the fog; places outside the "
-                          "bounding sphere are "
-                          "moved as project_outside_point does",
-                  .inputs = {place_key("x"), viewer, centre, bounding, outer, inner, number_key("c", "1", 0, 2, 0.39),
-                             number_key("d", "m^-2", 1e-12, 1, 1.5625e-8)},
-                  .outputs = "F1, F2, F",
-                  .unit = "1",
-                  .call = [](KernelCaller& kernels, const Values& in) {
-                    return kernels.call("realworldz.fog_anywhere",
-                                        {{"x", from_centre(in, "x")}, {"viewer", from_centre(in, "viewer")}},
-                                        planet(in));
-                  }});
-  list.push_back(
-      {.name = "realworldz.project_outside_point",
-       .text = "Place at which fog is taken for one outside the bounding sphere",
-       .inputs = {place_key("x"), viewer, number_key("eps", "m", 0, 1e9, 630), centre, bounding},
-       .outputs = "x, y, z",
-       .unit = "m",
-       .call =
-           [](KernelCaller& kernels, const Values& in) {
-             const Numbers x = from_centre(in, "x");
-             const double rb = in.number("Rb");
-             if (x[0] * x[0] + x[1] * x[1] + x[2] * x[2] <= rb * rb) return in.numbers("x");  // never moved
-             return with_centre(
-                 in, kernels.call("realworldz.project",
-                                  {{"x", x}, {"viewer", from_centre(in, "viewer")}, {"least", in.numbers("eps")}},
-                                  planet(in)));
-           },
-       .scale = 6e4});
-  list.push_back({.name = "realworldz.sky_u",
-                  .text = "Horizontal coordinate of the colour table at an angle from the Sun; printed: four times too "
-                          "large, as the source has it",
-                  .inputs = {number_key("angle_deg", "degrees", 0, 180, 0),
-                             {.name = "form",
-                              .kind = Kind::word,
-                              .words = {"corrected", "quarter", "printed", "unscaled"},
-                              .otherwise = "corrected"}},
-                  .outputs = "u",
-                  .unit = "1",
-                  .call = [](KernelCaller& kernels, const Values& in) {
-                    const double s = std::sin(in.number("angle_deg") * pi / 360);
-                    Numbers u = kernels.call("realworldz.sky_u", {{"one_minus_cos", {2 * s * s}}});
-                    const std::string& form = in.word("form");
-                    if (form == "printed" || form == "unscaled") u[0] *= 4;
-                    return u;
-                  }});
-  list.push_back(
-      {.name = "realworldz.resampled_source_x",
-       .text = "Where in the painted table's row a column of the resampled one comes from",
-       .inputs = {{.name = "dest_column", .kind = Kind::whole, .low = 0, .high = 1e6},
-                  {.name = "dest_width", .kind = Kind::whole, .low = 1, .high = 1e6, .otherwise = Numbers{512}}},
-       .outputs = "x",
-       .unit = "1",
-       .call = [](KernelCaller&, const Values& in) {
-         return Numbers{realworldz_source_x(in.number("dest_column"), in.number("dest_width"))};
-       }});
-  list.push_back(
-      {.name = "realworldz.optical_depth_ring",
-       .text = "Optical depth of the sky's air on a ring of equal elevation, and exp(-depth)",
-       .inputs = {number_key("viewer_height_m", "m", 0, 1e7, 2), number_key("elevation_deg", "degrees", -90, 90, 90),
-                  number_key("k_per_m", "1/m", 0, 1, 2e-4), number_key("H_m", "m", 1, 1e6, 1500),
-                  number_key("Rg_m", "m", 1e3, 1e8, 60e3), number_key("Rtop_m", "m", 1e3, 1e8, 75e3)},
-       .outputs = "depth, exp(-depth)",
-       .unit = "1",
-       .call = [](KernelCaller& kernels, const Values& in) {
-         const double depth = kernels.call(
-             "realworldz.sky_depth",
-             {{"altitude", in.numbers("viewer_height_m")}, {"mu", {std::sin(in.number("elevation_deg") * pi / 180)}}},
-             planet(in))[0];
-         return Numbers{depth, std::exp(-depth)};
-       }});
-  list.push_back(
-      {.name = "realworldz.sky_fragment",
-       .text = "Sky of the colour table over stars, through fog",
-       .inputs = {rgba_key("atmos_rgba"), rgba_key("star_rgba"), colour_key("ext", 1, 1), colour_key("ins", 1e6, 0)},
-       .outputs = "red, green, blue",
-       .unit = "1",
-       .call = [](KernelCaller& kernels, const Values& in) {
-         Numbers colour = kernels.call("realworldz.fragment", {{"air", in.numbers("atmos_rgba")},
-                                                               {"stars", in.numbers("star_rgba")},
-                                                               {"extinction", in.numbers("ext")},
-                                                               {"inscatter", in.numbers("ins")}});
-         colour.resize(3);
-         return colour;
-       }});
-  return list;
+Model realworldz_model() {
+  return {.name = "realworldz",
+          .summary =
+              "RealWorldz: small planets from the ground to orbit, fog of two shells, a painted sky over real stars; "
+              "relative colours",
+          .air = {},
+          .tables = {{"realworldz.rings", {65, 1}}},
+          .rays = "realworldz.rays",
+          .sky_light = "",
+          .picture = [](const Situation&) -> std::string_view { return "realworldz.picture"; },
+          .haze = [](const Situation&) -> std::string_view { return ""; },
+          .fields = [](std::string_view argument, const Situation& s) -> Fields {
+            if (argument == "rw") return realworldz_fields(settings_of(*s.parameters));
+            return argument == "view" ? view_fields(*s.parameters) : Fields{};
+          },
+          .sun = "",
+          .data = [](std::string_view argument, const Situation& s) -> HostTable {
+            if (argument == "sky_colours") return sky_colours(*s.parameters);
+            if (argument != "stars") return {};
+            StarMap map = star_map(int(s.parameters->number("star_size")));
+            return {map.shape, std::move(map.rgba)};
+          },
+          // Its display shows 1 as white; a day's sky is 1e3 .. 1e4 cd/m^2.
+          .colours = ColourModel{.wavelengths = {}, .luminance = 1e4, .tone = "clip"},
+          .parameters = parameters(),
+          .presets = presets()};
 }
 
 }  // namespace airlight

@@ -47,6 +47,10 @@ Table Binder::table(std::string_view argument, const PassInfo& reader) const {
     if (output == pass.outputs.end()) continue;
     return run(made.pass, made.shape_for(situation_))[std::size_t(output - pass.outputs.begin())];
   }
+  if (model_.data) {
+    const HostTable made = model_.data(argument, situation_);
+    if (!made.rgba.empty()) return engine_.upload(made.shape, made.rgba);
+  }
   unbound(model_, "pass " + std::string(reader.name) + ": no pass of model " + std::string(model_.name) +
                       " makes table " + std::string(argument));
 }

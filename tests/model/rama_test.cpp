@@ -102,5 +102,132 @@ TEST(RamaDensity, is_near_a_straight_line_in_the_squared_radius) {
   EXPECT_EQ(still[1], 0);
 }
 
+// ---- properties ----
+
+std::unique_ptr<EngineCaller> kernels_on(const char* name) {
+  return std::make_unique<EngineCaller>(*engine_or_none(name));
+}
+
+/// J at places, for an engine and settings.
+std::vector<double> sources(EngineCaller& kernels, const RamaSettings& settings, const std::vector<Numbers>& places) {
+  Numbers texels;
+  for (const Numbers& p : places) texels.insert(texels.end(), {p[0], p[1], p[2], 0});
+  const Shape shape{int(places.size()), 1};
+  return kernels.read(kernels.run(
+      "rama.places", {{"rama", rama_fields(settings)}},
+      {{"lights", kernels.upload({6, 2}, rama_lights(settings))}, {"places", kernels.upload(shape, texels)}},
+      shape)[0]);
+}
+
+// Six strips at 0 and 120 degrees to both sides: a third of a turn, and the mirror about a strip, change nothing.
+TEST(RamaSource, repeats_by_a_third_of_a_turn_and_mirrors_about_strips) {
+  const double third = 2 * std::acos(-1.0) / 3;
+  const auto at = [](double x, double r, double phi) { return Numbers{x, r * std::cos(phi), r * std::sin(phi)}; };
+  const auto kernels = kernels_on("double");
+  for (double x : {-20.0, -10.0, -4.9, 0.0, 6.0, 15.95}) {
+    for (double phi : {0.2, 0.9}) {
+      const auto j =
+          sources(*kernels, {}, {at(x, 5, phi), at(x, 5, phi + third), at(x, 5, phi - third), at(x, 5, -phi)});
+      for (std::size_t k = 1; k < 4; ++k)
+        for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(j[4 * k + c], j[c], 1e-9 * j[c]) << x << " " << phi;
+    }
+  }
+}
+
+// Without attenuation each strip's light is its closed solid angle: what nothing hides adds up to beta rho / 4 pi sum of L0 Omega.
+TEST(RamaSource, of_thin_air_is_the_strips_solid_angle_in_closed_form) {
+  RamaSettings thin;
+  for (double& b : thin.scattering) b = 1e-9;
+  thin.spin = 0;
+  const auto kernels = kernels_on("double");
+  const Numbers q{7, 2, -3};
+  const auto j = sources(*kernels, thin, {q});
+  const auto lights = rama_lights(thin);
+  double sum = 0;
+  for (std::size_t l = 0; l < 6; ++l) {
+    const double *const a = &lights[4 * l], *const b = &lights[4 * (6 + l)];
+    const double h = a[0] - (q[1] * a[1] + q[2] * a[2]), side = q[2] * a[1] - q[1] * a[2], square = h * h + side * side;
+    const auto f = [&](double x) { return (x - q[0]) / std::hypot(x - q[0], std::sqrt(square)); };
+    sum += a[3] * b[2] * h / square * (f(b[1]) - f(b[0]));
+  }
+  EXPECT_NEAR(j[0], 1e-9 / (4 * std::acos(-1.0)) * sum, 1e-7 * j[0]);  // the arc tangent's own error is 1e-8
+}
+
+TEST(RamaSource, is_finite_on_strips_on_the_axis_and_beyond_the_hull) {
+  RamaSettings still, dark, clear;
+  still.spin = 0;
+  dark.power = 0;
+  clear.scattering = {};
+  const std::vector<Numbers> places{{10, 8, 0},
+                                    {15.9, 8, 0},
+                                    {5.1, 8, 0},
+                                    {16.5, 8, 0},
+                                    {-10, 7.5, 0},
+                                    {0, 0, 0},
+                                    {24, 0, 0},
+                                    {-24.7, 0, 0},
+                                    {-5, 7.5, 0},
+                                    {-5, 7.9, 0},
+                                    {-5, 0, 0},
+                                    {20, 8, 0},
+                                    {10, -4, 6.9282032302755088}};
+  for (const char* engine : {"double", "simd", "gl"}) {
+    if (!engine_or_none(engine)) continue;
+    const auto kernels = kernels_on(engine);
+    for (const RamaSettings& s : {RamaSettings{}, still, dark, clear}) {
+      const auto j = sources(*kernels, s, places);
+      for (std::size_t i = 0; i < j.size(); ++i) {
+        ASSERT_TRUE(std::isfinite(j[i])) << engine << ", place " << i / 4;
+        ASSERT_GE(j[i], 0) << engine << ", place " << i / 4;
+      }
+    }
+    // On the strip the light is that of half of all directions.
+    const auto on = sources(*kernels, {}, {{10, 8, 0}})[0], near = sources(*kernels, {}, {{10, 7.9, 0}})[0];
+    EXPECT_GT(on, near) << engine;
+  }
+}
+
+// Every ray from inside ends on the hull, at its nearest part, whose normal faces the eye.
+TEST(RamaHull, is_closed_and_faces_inwards) {
+  const auto kernels = kernels_on("double");
+  std::uint32_t bits = 1;
+  const auto random = [&bits] { return (bits = 1664525 * bits + 1013904223) / 4294967296.0 * 2 - 1; };
+  int cliff = 0;
+  for (int k = 0; k < 3000; ++k) {
+    const double x = 22 * random(), phi = 3.14159 * random();
+    const double widest = x < -5 ? 7.5 : 8, cap = x > 16 ? x - 16 : x < -16.5 ? x + 16.5 : 0;
+    const double r = 0.999 * std::sqrt(std::max(widest * widest - cap * cap, 0.0)) * std::sqrt(std::fabs(random()));
+    Numbers p{x, r * std::cos(phi), r * std::sin(phi)}, d{random(), random(), random()};
+    const double n = std::sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+    for (double& c : d) c /= n;
+    const auto hit = kernels->call("rama.hull", {{"p", p}, {"d", d}}, {});
+    Numbers q(3);
+    for (std::size_t c = 0; c < 3; ++c) q[c] = p[c] + hit[0] * d[c];
+    const double radius = std::hypot(q[1], q[2]);
+    // On one of the five parts, to rounding.
+    const bool on_cliff = std::fabs(q[0] + 5) < 1e-6 && radius > 7.5 - 1e-6 && radius < 8 + 1e-6;
+    const double gap = q[0] > 16      ? std::hypot(radius, q[0] - 16) - 8
+                       : q[0] > -5    ? radius - 8
+                       : q[0] > -16.5 ? radius - 7.5
+                                      : std::hypot(radius, q[0] + 16.5) - 7.5;
+    ASSERT_TRUE(on_cliff || std::fabs(gap) < 1e-6) << "ray " << k << " ends at " << q[0] << ", r = " << radius;
+    ASSERT_LT(hit[1] * d[0] + hit[2] * d[1] + hit[3] * d[2], 1e-6) << "ray " << k;
+    cliff += on_cliff;
+  }
+  EXPECT_GT(cliff, 0) << "no ray met the cliff: the test is blind to it";
+}
+
+TEST(RamaAir, lets_light_through_in_parts_as_in_whole) {
+  const auto kernels = kernels_on("double");
+  const Numbers p{-3, 2, 7}, q{9, -6, 1};
+  const auto through = [&](const Numbers& a, const Numbers& b) {
+    return kernels->call("rama.transmittance", {{"p", a}, {"q", b}}, {{"rama", rama_fields({})}})[2];
+  };
+  Numbers m(3);
+  for (std::size_t c = 0; c < 3; ++c) m[c] = 0.7 * p[c] + 0.3 * q[c];
+  EXPECT_NEAR(through(p, q), through(p, m) * through(m, q), 1e-9);  // six points are exact to 1e-8 of the depth
+  EXPECT_NEAR(through(p, q), through(q, p), 1e-14);
+}
+
 }  // namespace
 }  // namespace airlight::test
