@@ -53,7 +53,7 @@ TEST(Adapters, are_listed_with_their_engines_and_hide_what_they_are_named_like) 
   bool alone = false;
   for (const json& entry : list) {
     EXPECT_TRUE(names.insert(entry["fn"]).second) << entry["fn"] << " is listed twice";
-    if (entry["fn"] == "hoffman_preetham.dome_R_integral") alone = entry["engines"] == json{"double"};
+    if (entry["fn"] == "hoffman_preetham.dome_R_integral") alone = entry["engines"] == json::array({"double"});
   }
   EXPECT_TRUE(alone);
   EXPECT_NE(run(folder, {"eval", "--list"}).out.find("engine double alone"), std::string::npos);
@@ -109,13 +109,13 @@ TEST(PublishedModels, list_their_parameters_and_presets) {
   const Folder folder;
   for (const json& model : json::parse(run(folder, {"models", "--json"}).out)) {
     if (model["name"] != "hoffman_preetham") continue;
-    EXPECT_EQ(model["wavelengths"], (json{650, 570, 475}));
+    EXPECT_EQ(model["wavelengths"], (json::array({650, 570, 475})));
     EXPECT_EQ(model["presets"].size(), 4u);
     const auto& keys = model["parameters"];
     const auto g = std::ranges::find_if(keys, [](const json& key) { return key["name"] == "g"; });
     ASSERT_NE(g, keys.end());
     EXPECT_EQ((*g)["default"], -0.75);
-    EXPECT_EQ((*g)["range"], (json{-0.999, 0.999}));
+    EXPECT_EQ((*g)["range"], (json::array({-0.999, 0.999})));
     return;
   }
   FAIL() << "hoffman_preetham is not listed";
