@@ -111,5 +111,95 @@ TEST(JetlagDrift, moves_the_noise_as_far_as_time_says) {
   }
 }
 
+// ---- properties ----
+
+struct Lit {
+  Numbers light, through;
+};
+struct Look {
+  double height;         ///< [m] of the eye, x and z being 0
+  Numbers view, to_sun;  ///< y up: the rays pass has the world's z up
+};
+/// One row of rays at a time: the noise alone is a table of 32 MB.
+std::vector<Lit> look(Engine& engine, const JetlagSettings& settings, const std::vector<Look>& rays) {
+  EngineCaller kernels(engine);
+  static const std::vector<double> noise = jetlag_noise_texels();
+  const Shape shape{int(rays.size()), 1};
+  Numbers eyes, suns;
+  for (const Look& r : rays) {
+    eyes.insert(eyes.end(), {r.height, r.view[0], -r.view[2], r.view[1]});
+    suns.insert(suns.end(), {1e15, r.to_sun[0], -r.to_sun[2], r.to_sun[1]});
+  }
+  const auto answers = kernels.run("jetlag.rays", {{"jetlag", jetlag_fields(settings)}, {"drift", jetlag_drift(20)}},
+                                   {{"noise", kernels.upload({jetlag_noise_size, jetlag_noise_size}, noise)},
+                                    {"eyes", kernels.upload(shape, eyes)},
+                                    {"suns", kernels.upload(shape, suns)}},
+                                   shape);
+  const Numbers light = kernels.read(answers[0]), through = kernels.read(answers[1]);
+  std::vector<Lit> lit;
+  for (std::size_t i = 0; i < light.size(); i += 4)
+    lit.push_back({{light[i], light[i + 1], light[i + 2]}, {through[i], through[i + 1], through[i + 2]}});
+  return lit;
+}
+
+// Towards the Sun, away from it, up, down, level; eyes on the ground, in a cloud, at the top of the air and above; the Sun down to nadir.
+TEST(JetlagRays, are_finite_and_not_negative_whatever_is_asked) {
+  JetlagSettings clear, dark, coarse;
+  clear.clouds = false;
+  dark.sun_intensity = 0;
+  coarse.near_steps = coarse.far_steps = coarse.short_steps = 1;
+  std::vector<Look> rays;
+  for (double height : {0.0, 1700.0, 20000.0, 50000.0})
+    for (const Numbers& view :
+         {dir(0, 90), dir(0, -90), dir(0, 0), dir(45, 3), dir(45, -3), sun, Numbers{-sun[0], -sun[1], -sun[2]}})
+      for (const Numbers& to_sun : {sun, dir(0, 90), dir(0, 0), dir(30, -2), dir(0, -90)})
+        rays.push_back({height, view, to_sun});
+  for (const char* name : {"double", "simd"}) {
+    for (const JetlagSettings& settings : {JetlagSettings{}, clear, dark, coarse}) {
+      const auto lit = look(*engine_or_none(name), settings, rays);
+      for (std::size_t i = 0; i < lit.size(); ++i) {
+        for (std::size_t c = 0; c < 3; ++c) {
+          ASSERT_TRUE(std::isfinite(lit[i].light[c])) << name << ", ray " << i;
+          ASSERT_GE(lit[i].light[c], 0) << name << ", ray " << i;
+          ASSERT_TRUE(lit[i].through[c] >= 0 && lit[i].through[c] <= 1) << name << ", ray " << i;
+        }
+      }
+    }
+  }
+}
+
+// Sampled at the middles of many steps, the transmittance straight up is that of two exponentials in closed form.
+TEST(JetlagRays, straight_up_lose_what_the_exponential_atmospheres_hold) {
+  JetlagSettings fine;
+  fine.clouds = false;
+  fine.midpoint = true;
+  fine.jitter_view = fine.jitter_light = 0.5;
+  fine.short_steps = 1024;
+  const auto column = [](double scale) { return scale * (1 - std::exp(-20000 / scale)); };
+  const Lit lit = look(*engine_or_none("double"), fine, {{0, dir(0, 90), dir(0, 90)}})[0];
+  const double rayleigh[] = {5.8e-6, 13.5e-6, 33.1e-6};
+  for (std::size_t c = 0; c < 3; ++c)
+    EXPECT_NEAR(lit.through[c], std::exp(-rayleigh[c] * column(8000) - 2.2e-5 * column(1200)),
+                1e-6);  // 1024 midpoints: (20/1.2/1024)^2 / 24
+}
+
+// As the source says of its own sums: steps that begin at their dense ends darken a sky with a low Sun, blue by a factor of two and more.
+TEST(JetlagRays, of_few_steps_are_darker_than_converged_ones) {
+  JetlagSettings few, many;
+  few.clouds = many.clouds = false;
+  many.midpoint = true;
+  many.jitter_view = many.jitter_light = 0.5;
+  many.short_steps = many.clear_light_steps = 256;
+  std::vector<Look> rays;
+  for (double elevation : {2.0, 5.0, 10.0, 20.0, 40.0}) rays.push_back({200, dir(135, elevation), dir(135, 8)});
+  const auto coarse = look(*engine_or_none("double"), few, rays), fine = look(*engine_or_none("double"), many, rays);
+  double most = 0;
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    EXPECT_GT(fine[i].light[2], coarse[i].light[2]) << "ray " << i;
+    most = std::max(most, fine[i].light[2] / coarse[i].light[2]);
+  }
+  EXPECT_GT(most, 2);
+}
+
 }  // namespace
 }  // namespace airlight::test
