@@ -110,15 +110,14 @@ TEST(SceneFile, least_that_is_a_scene) {
 }
 
 TEST(SceneFile, shipped_scenes_are_read) {
-  int count = 0;
+  int with_land = 0;  // the published systems' skies have none
   for (const auto& entry : std::filesystem::directory_iterator(AIRLIGHT_SCENES)) {
     if (entry.path().extension() != ".toml") continue;
-    ++count;
     const Scene scene = load_scene(entry.path().string());
-    EXPECT_TRUE(scene.has_land) << entry.path();
+    with_land += scene.has_land;
     for (const ElevationFile& file : scene.land.files) EXPECT_TRUE(std::filesystem::exists(file.file)) << file.file;
   }
-  EXPECT_GE(count, 4);
+  EXPECT_GE(with_land, 4);
 }
 
 }  // namespace
