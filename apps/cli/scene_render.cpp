@@ -2,16 +2,21 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "airlight/error.h"
 #include "commands.h"
 #include "interrupt.h"
 #include "model_options.h"
 #include "number_option.h"
+#include "optics/colour.h"
 
 namespace airlight::cli {
 namespace {
+
+constexpr std::string_view spectral = "spectral";
 
 const std::vector<Layer>& all_layers() {
   const auto rgb = [](const char* name) {
@@ -19,6 +24,11 @@ const std::vector<Layer>& all_layers() {
   };
   const auto xyz = [](const char* name) {
     return std::vector<std::string>{fmt::format("{}.X", name), fmt::format("{}.Y", name), fmt::format("{}.Z", name)};
+  };
+  const auto nm = [](const char* name) {
+    std::vector<std::string> channels;
+    for (const double wavelength : realtime_quad) channels.push_back(fmt::format("{}.{:g}nm", name, wavelength));
+    return channels;
   };
   static const std::vector<Layer> all{{"surface", rgb("surface"), &SceneRows::surface},
                                       {"transmittance", rgb("transmittance"), &SceneRows::transmittance},
@@ -28,7 +38,10 @@ const std::vector<Layer>& all_layers() {
                                       {"normal", xyz("normal"), &SceneRows::normal},
                                       {"albedo", rgb("albedo"), &SceneRows::albedo},
                                       {"sun_visibility", {"sun_visibility"}, &SceneRows::sun_visibility},
-                                      {"sky_irradiance", rgb("sky_irradiance"), &SceneRows::sky_irradiance}};
+                                      {"sky_irradiance", rgb("sky_irradiance"), &SceneRows::sky_irradiance},
+                                      {spectral, nm("surface"), &SceneRows::spectral_surface},
+                                      {spectral, nm("transmittance"), &SceneRows::spectral_transmittance},
+                                      {spectral, nm("inscatter"), &SceneRows::spectral_inscatter}};
   return all;
 }
 
@@ -104,9 +117,11 @@ void ScenePictureOptions::add_picture_to(CLI::App& app) {
 }
 
 void ScenePictureOptions::add_to(CLI::App& app) {
-  app.add_option("--aov", aov,
-                 "layers of an .exr, which then is of 32-bit floats: all, or surface,transmittance,inscatter,depth,"
-                 "position,normal,albedo,sun_visibility,sky_irradiance")
+  app.add_option(
+         "--aov", aov,
+         "layers of an .exr, which then is of 32-bit floats: all, or surface,transmittance,inscatter,depth,"
+         "position,normal,albedo,sun_visibility,sky_irradiance; and spectral, the first three at each of the four "
+         "wavelengths")
       ->type_name("LIST");
   app.add_option("--model", model, "model of the sky (shadows in the air need skyview)")
       ->group(instead)
@@ -135,13 +150,20 @@ void ScenePictureOptions::apply(Scene& scene) const {
 
 std::vector<Layer> ScenePictureOptions::layers() const {
   if (aov.empty()) return {};
-  if (aov == "all") return all_layers();
   std::vector<std::string_view> names;
   for (const Layer& layer : all_layers()) names.push_back(layer.name);
   std::vector<Layer> chosen;
+  const auto add = [&](const auto& wanted) {
+    std::ranges::copy_if(all_layers(), std::back_inserter(chosen), wanted, &Layer::name);
+  };
   for (std::size_t begin = 0; begin <= aov.size();) {
     const std::size_t end = std::min(aov.find(',', begin), aov.size());
-    chosen.push_back(all_layers()[choose("--aov", std::string_view(aov).substr(begin, end - begin), names)]);
+    const std::string_view word = std::string_view(aov).substr(begin, end - begin);
+    if (word == "all") {
+      add([](std::string_view name) { return name != spectral; });
+    } else {
+      add([name = names[choose("--aov", word, names)]](std::string_view other) { return other == name; });
+    }
     begin = end + 1;
   }
   return chosen;
@@ -179,7 +201,7 @@ SceneShot::SceneShot(const Scene& scene, std::shared_ptr<const Land> land, std::
                {"scene", scene.name},
                {"atmosphere", scene.air.name},
                {"model", std::string(sky_.model())},
-               {"units", "cd m-2, linear sRGB primaries"},
+               {"units", "cd m-2, linear sRGB primaries; channels of a wavelength W m-2 sr-1 nm-1"},
                {"samples a pixel", double(samples_)},
                {"shadows in the air", scene.picture.air_shadows ? "single scattering" : "none"},
                {"camera altitude [m]", land->frame().altitude(placed_.eye)},

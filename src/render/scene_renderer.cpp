@@ -208,15 +208,15 @@ struct SceneRenderer::Impl {
     s.air.clear();
     s.nth_in_air.resize(count);
     for (std::size_t first = 0; first < count; first += per_pixel) {
-      const auto pixel = std::span(s.sights).subspan(first, per_pixel);
-      Sight middle{{0, 0, 0}, 0, pixel[0].offset};
-      double near = pixel[0].distance, far = near;
+      const auto sights = std::span(s.sights).subspan(first, per_pixel);
+      Sight middle{{0, 0, 0}, 0, sights[0].offset};
+      double near = sights[0].distance, far = near;
       bool whole = true;
       for (std::size_t i = 0; i < per_pixel; ++i) {
-        near = std::min(near, pixel[i].distance), far = std::max(far, pixel[i].distance);
+        near = std::min(near, sights[i].distance), far = std::max(far, sights[i].distance);
         whole = whole && s.inside[first + i];
-        for (std::size_t c = 0; c < 3; ++c) middle.view[c] += pixel[i].view[c];
-        middle.distance += pixel[i].distance / double(per_pixel);
+        for (std::size_t c = 0; c < 3; ++c) middle.view[c] += sights[i].view[c];
+        middle.distance += sights[i].distance / double(per_pixel);
       }
       const bool shared = whole && (near == far || far <= alike * near);
       for (std::size_t i = 0; i < per_pixel; ++i) s.nth_in_air[first + i] = int(s.air.size() + (shared ? 0 : i));
@@ -224,7 +224,7 @@ struct SceneRenderer::Impl {
         middle.view = unit(middle.view);
         s.air.push_back(middle);
       } else {
-        s.air.insert(s.air.end(), pixel.begin(), pixel.end());
+        s.air.insert(s.air.end(), sights.begin(), sights.end());
       }
     }
   }
@@ -335,13 +335,15 @@ struct SceneRenderer::Impl {
     for (auto* layer : {&out.surface, &out.transmittance, &out.inscatter, &out.position, &out.normal, &out.albedo,
                         &out.sky_irradiance})
       layer->resize(3 * pixels);
+    for (auto* layer : {&out.spectral_surface, &out.spectral_transmittance, &out.spectral_inscatter})
+      layer->resize(4 * pixels);
     out.depth.resize(pixels);
     out.sun_visibility.resize(pixels);
     // Albedo as the colour that sunlight outside the air takes on, relative to that of white.
     const std::array<double, 3> white = rgb(irradiance.data());
     in_parallel(pixels, [&](std::size_t p) {
-      std::array<double, 4> surface{}, inscatter{}, skylight{}, reflected{};
-      double through = 0, distance = 0, visible = 0, hits = 0;
+      std::array<double, 4> surface{}, arriving{}, through{}, inscatter{}, skylight{}, reflected{};
+      double distance = 0, visible = 0, hits = 0;
       Direction position{}, normal{};
       for (std::size_t i = p * per_pixel; i < (p + 1) * per_pixel; ++i) {
         if (!s.inside[i]) continue;
@@ -349,8 +351,9 @@ struct SceneRenderer::Impl {
         const auto in_air = std::size_t(s.nth_in_air[i]);
         for (std::size_t k = 0; k < 4; ++k) {
           surface[k] += light[k];
+          arriving[k] += light[k] * s.transmittance[4 * in_air + k];
+          through[k] += s.transmittance[4 * in_air + k];
           inscatter[k] += s.inscatter[4 * in_air + k];
-          through += s.transmittance[4 * in_air + k] / 4;
         }
         if (s.nth_on_ground[i] < 0) continue;
         const auto n = std::size_t(s.nth_on_ground[i]);
@@ -372,8 +375,14 @@ struct SceneRenderer::Impl {
       put(out.inscatter, p, rgb(inscatter.data()), scale);
       for (std::size_t c = 0; c < 3; ++c) {
         const float leaving = out.surface[3 * p + c];
-        out.transmittance[3 * p + c] =
-            leaving != 0 ? (out.rgb[3 * p + c] - out.inscatter[3 * p + c]) / leaving : float(through * scale);
+        out.transmittance[3 * p + c] = leaving != 0
+                                           ? (out.rgb[3 * p + c] - out.inscatter[3 * p + c]) / leaving
+                                           : float((through[0] + through[1] + through[2] + through[3]) * scale / 4);
+      }
+      for (std::size_t k = 0; k < 4; ++k) {
+        out.spectral_surface[4 * p + k] = float(surface[k] * scale);
+        out.spectral_transmittance[4 * p + k] = float(surface[k] > 0 ? arriving[k] / surface[k] : through[k] * scale);
+        out.spectral_inscatter[4 * p + k] = float(inscatter[k] * scale);
       }
       put(out.sky_irradiance, p, rgb(skylight.data()), of_hits);
       const auto colours = rgb(reflected.data());

@@ -43,6 +43,9 @@ struct SceneRows {
   std::vector<float> albedo;          ///< 3: linear sRGB of a white-lit surface
   std::vector<float> sun_visibility;  ///< 1: part of the disc that land leaves visible; sky: 0
   std::vector<float> sky_irradiance;  ///< 3: on the surface, photometric, linear sRGB [lx]
+  // At each of the four wavelengths of real time: radiances [W m^-2 sr^-1 nm^-1], and transmittance, by which what leaves the pixel's
+  // surfaces comes to the eye.
+  std::vector<float> spectral_surface, spectral_transmittance, spectral_inscatter;
 };
 
 class SceneRenderer {

@@ -1,6 +1,8 @@
 // `airlight render`: what lies in the files, and what it says of bad words.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "mountains.h"
@@ -40,6 +42,41 @@ TEST(Render, layers_recombine_to_the_picture) {
   EXPECT_GT(lit, 100);
   EXPECT_EQ(read_picture(folder / "a.png").width, 64);
   EXPECT_EQ(folder.names().size(), 3u);
+}
+
+TEST(Render, spectral_layers_make_the_pictures_colours) {
+  const Folder folder;
+  write_file(folder / "scene.toml", scene_text);
+  for (const char* samples : {"1", "4"}) {
+    const Outcome outcome =
+        run(folder, {"render", "scene.toml", "--samples", samples, "-o", "a.exr", "--aov", "spectral,depth"});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const Picture picture = read_picture(folder / "a.exr");
+    ASSERT_EQ(run(folder, {"tables", "scene.toml", "-o", "tables"}).code, 0);
+    const nlohmann::json index = nlohmann::json::parse(read_file(folder / "tables/tables.json"));
+    for (std::size_t i = 0; i < picture.layers.at("Z").size(); ++i) {
+      std::array<double, 3> rgb{};
+      double brightest = 0;
+      for (std::size_t k = 0; k < 4; ++k) {
+        const std::string at = "." + std::to_string(int(index["wavelengths_nm"][k])) + "nm";
+        const double surface = picture.layers.at("surface" + at)[i], inscatter = picture.layers.at("inscatter" + at)[i],
+                     transmittance = picture.layers.at("transmittance" + at)[i];
+        ASSERT_GE(transmittance, 0);
+        ASSERT_LE(transmittance, 1);
+        for (std::size_t c = 0; c < 3; ++c) {
+          const double part = double(index["to_srgb"][c][k]) * (surface * transmittance + inscatter);
+          rgb[c] += part;
+          brightest = std::max(brightest, std::abs(part));
+        }
+      }
+      for (std::size_t c = 0; c < 3; ++c)
+        ASSERT_NEAR(picture.rgb[3 * i + c], rgb[c], 1e-5 * brightest);  // floats, of which four add up
+      // Air lets red light through more than blue; a mean over samples near and far, weighted by their light, need not.
+      if (samples == std::string("1")) {
+        ASSERT_LT(picture.layers.at("transmittance.445nm")[i], picture.layers.at("transmittance.635nm")[i]);
+      }
+    }
+  }
 }
 
 TEST(Render, chosen_layers_alone_are_written) {
