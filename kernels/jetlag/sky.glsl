@@ -91,8 +91,8 @@ FN Vec4 jetlag_depth_pass(IN(Jetlag) jetlag, IN(JetlagDrift) drift, Table2 noise
   return Vec4(depth.x, depth.y, Float(0.0), Float(0.0));
 }
 
-/// A picture, relative linear RGB. `drifts` holds a frame a column: where the clouds are, and in the fifth row where its random numbers are.
-FN Vec4 jetlag_picture_pass(IN(Camera) camera, IN(Observer) observer, IN(Jetlag) jetlag, IN(JetlagFrames) frames, IN(GridSize) size, Table2 noise, Table2 drifts, Vec2 uv) {
+/// A picture, linear sRGB [cd/m^2]. `drifts` holds a frame a column: where the clouds are, and in the fifth row where its random numbers are.
+FN Vec4 jetlag_picture_pass(IN(Camera) camera, IN(Observer) observer, IN(Display) display, IN(Jetlag) jetlag, IN(JetlagFrames) frames, IN(GridSize) size, Table2 noise, Table2 drifts, Vec2 uv) {
   Float inside = Float(0.0);
   Vec3 sun = jetlag_frame(Vec3(observer.sun.x, observer.sun.y, observer.sun.z));
   Vec3 o = Vec3(Float(jetlag.eye.x), Float(observer.altitude), Float(jetlag.eye.z));
@@ -128,5 +128,5 @@ FN Vec4 jetlag_picture_pass(IN(Camera) camera, IN(Observer) observer, IN(Jetlag)
   if (frames.blend > 0.0) sum = sum * sum;
   // Pixels that a fisheye leaves black do not depend on the jitter.
   camera_view(camera, uv, inside);
-  return Vec4(sum.x * inside, sum.y * inside, sum.z * inside, Float(1.0));
+  return display_colour(display, sum) * inside;
 }

@@ -86,8 +86,8 @@ FN Vec4 rama_rays_pass(IN(Rama) rama, IN(RamaEye) eye, Table2 lights, Table3 sou
   return rama_gather(rama, lights, source, p, q);
 }
 
-/// A picture of Rama [W m^-2 sr^-1].
-FN Vec4 rama_picture_pass(IN(Camera) camera, IN(Observer) observer, IN(Rama) rama, IN(RamaEye) eye, Table2 lights, Table3 source, Vec2 uv) {
+/// A picture of Rama, linear sRGB [cd/m^2].
+FN Vec4 rama_picture_pass(IN(Camera) camera, IN(Observer) observer, IN(Display) display, IN(Rama) rama, IN(RamaEye) eye, Table2 lights, Table3 source, Vec2 uv) {
   Float inside = Float(0.0);
   Vec3 d = rama_frame(eye, camera_view(camera, uv, inside));
   Vec3 p = rama_eye(eye, Float(observer.altitude));
@@ -96,5 +96,5 @@ FN Vec4 rama_picture_pass(IN(Camera) camera, IN(Observer) observer, IN(Rama) ram
   Vec4 through = rama_transmittance_fast(rama, p, q);
   if (rama.air < 0.5) through = Vec4(1.0);
   Vec4 light = rama_gather(rama, lights, source, p, q) + rama_surface(rama, lights, q, normal) * through;
-  return Vec4(light.x * inside, light.y * inside, light.z * inside, Float(1.0));
+  return display_colour(display, light) * inside;
 }

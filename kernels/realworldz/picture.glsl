@@ -85,8 +85,8 @@ FN Vec4 realworldz_lit(IN(Realworldz) rw, Vec3 p, Vec3 normal, Float height, Vec
   return albedo * (Vec4(rw.sun_light) * direct + Vec4(rw.far_light) * diffuse);
 }
 
-/// A picture, relative linear RGB.
-FN Vec4 realworldz_picture_pass(IN(Camera) camera, IN(Observer) observer, IN(Realworldz) rw, IN(RealworldzView) view, Table2 sky_colours, Table2 rings, Table2 stars, Vec2 uv) {
+/// A picture, linear sRGB [cd/m^2].
+FN Vec4 realworldz_picture_pass(IN(Camera) camera, IN(Observer) observer, IN(Display) display, IN(Realworldz) rw, IN(RealworldzView) view, Table2 sky_colours, Table2 rings, Table2 stars, Vec2 uv) {
   Float inside = Float(0.0);
   Vec3 d = camera_view(camera, uv, inside);
   Vec3 sun = Vec3(observer.sun.x, observer.sun.y, observer.sun.z);
@@ -105,7 +105,7 @@ FN Vec4 realworldz_picture_pass(IN(Camera) camera, IN(Observer) observer, IN(Rea
   }
   light = light * realworldz_extinction(rw, fog.z) + Vec4(rw.far_light) * fog.z;
   if (view.show > 0.5) light = Vec4(fog.z);
-  return Vec4(light.x * inside, light.y * inside, light.z * inside, Float(1.0));
+  return display_colour(display, light) * inside;
 }
 
 /// The sky's light along rays; what fog leaves at their ends; no ground: relative linear RGB. A finite distance gives fog alone.
