@@ -107,5 +107,22 @@ TEST(Pictures, more_wavelengths_give_nearly_the_same_colours) {
   for (int x = 0; x < 16; ++x) EXPECT_NEAR(four.luminance(x, 2) / forty.luminance(x, 2), 1, 0.05);
 }
 
+// A model whose picture is not in the unit that it states comes out black or white at its own exposure.
+TEST(Pictures, of_published_systems_are_neither_black_nor_white) {
+  const Folder folder;
+  for (const char* model : {"codeflow", "hoffman_preetham", "jetlag", "rama", "realworldz"}) {
+    SCOPED_TRACE(model);
+    const Outcome outcome = run(folder, {"sky", "--model", model, "--sun-elevation", "20", "--projection",
+                                         "perspective", "--field-of-view", "80", "--size", "48x32", "-o", "a.png"});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const Picture picture = read_picture(folder / "a.png");
+    double sum = 0;
+    for (const float value : picture.rgb) sum += double(value);
+    const double mean = sum / double(picture.rgb.size());
+    EXPECT_GT(mean, 0.05);
+    EXPECT_LT(mean, 0.95);
+  }
+}
+
 }  // namespace
 }  // namespace airlight
