@@ -142,9 +142,9 @@ struct Animation::Impl {
   Frame frame(double number) const {
     const toml::table changed = document_at(number);
     try {
-      std::ostringstream text;
-      text << changed;
-      return {read_scene(changed, file), text.str()};
+      std::ostringstream written;
+      written << changed;
+      return {read_scene(changed, file), written.str()};
     } catch (const InputError& error) {
       if (tracks.empty()) throw;
       throw InputError(std::string(error.what()) + " (frame " + number_text(number) + ")");

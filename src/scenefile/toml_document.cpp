@@ -1,6 +1,10 @@
 #include "scenefile/toml_document.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <cstdio>
 #include <optional>
 
 #include "airlight/error.h"
@@ -11,77 +15,108 @@ namespace {
 
 std::string at_line(const std::string& file, std::size_t line) { return file + ":" + std::to_string(line) + ": "; }
 
-/// Skips a string that begins at `i`; returns the index after it.
-std::size_t skip_string(std::string_view text, std::size_t i) {
-  const char quote = text[i];
-  const std::string three(3, quote);
-  const bool many_lines = text.substr(i, 3) == three;
-  const std::string closing = many_lines ? three : std::string(1, quote);
-  for (i += closing.size(); i < text.size(); ++i) {
-    if (quote == '"' && text[i] == '\\') {
-      ++i;
-    } else if (text.substr(i, closing.size()) == closing) {
-      i += closing.size();
-      // A string of several lines may end in one or two quotes of its own, before the three that close it.
-      for (int own = 0; many_lines && own < 2 && i < text.size() && text[i] == quote; ++own) ++i;
-      return i;
-    } else if (!many_lines && text[i] == '\n') {
-      return i;  // not closed: toml++ will say so
+/// Reads toml++ its text in a form that it bears (3.3, by what fuzzing found). It makes and destroys nested values, and
+/// the tables of dotted keys, by recursion with no bound of its own on dots. It asserts rather than reports when '}'
+/// stands where an array expects a value. And its test for blanks is undefined for most characters beyond ASCII, which
+/// it may look at even inside quotes: they become escapes in strings, and go from comments.
+class Bearable {
+ public:
+  Bearable(std::string_view text, const std::string& file) : text_(text), file_(file) {
+    if (text_.starts_with("\xEF\xBB\xBF")) text_.remove_prefix(3);
+  }
+
+  std::string ascii() {
+    while (at_ < text_.size()) {
+      const char c = text_[at_];
+      if (c == '"' || c == '\'') {
+        copy_string(c);
+      } else if (c == '#') {
+        at_ = std::min(text_.find('\n', at_), text_.size());
+      } else {
+        if (beyond_ascii(c)) fail("expected ASCII outside quotes and comments");
+        count_nesting(c);
+        copy();
+      }
+    }
+    return std::move(ascii_);
+  }
+
+ private:
+  static bool beyond_ascii(char c) { return static_cast<unsigned char>(c) >= 0x80; }
+
+  [[noreturn]] void fail(const std::string& what) const {
+    const auto line = 1 + std::count(text_.begin(), text_.begin() + std::ptrdiff_t(at_), '\n');
+    throw InputError(at_line(file_, std::size_t(line)) + what);
+  }
+
+  void copy() { ascii_ += text_[at_++]; }
+
+  /// Copies a string, or what there is of one that is not closed: toml++ will say so.
+  void copy_string(char quote) {
+    const std::string three(3, quote);
+    const bool many_lines = text_.substr(at_, 3) == three;
+    const std::string closing = many_lines ? three : std::string(1, quote);
+    for (std::size_t i = 0; i < closing.size(); ++i) copy();
+    while (at_ < text_.size() && (many_lines || text_[at_] != '\n')) {
+      if (quote == '"' && text_[at_] == '\\') {
+        copy();
+        if (at_ == text_.size()) return;
+        if (beyond_ascii(text_[at_])) fail("expected an escape behind a backslash");
+        copy();
+      } else if (text_.substr(at_, closing.size()) == closing) {
+        // A string of several lines may end in one or two quotes of its own, before the three that close it.
+        std::size_t quotes = closing.size();
+        while (many_lines && quotes < 5 && text_.substr(at_ + quotes).starts_with(quote)) ++quotes;
+        for (std::size_t i = 0; i < quotes; ++i) copy();
+        return;
+      } else if (beyond_ascii(text_[at_])) {
+        if (quote == '\'') fail("expected ASCII in single quotes (double quotes take any character)");
+        copy_escaped();
+      } else {
+        copy();
+      }
     }
   }
-  return text.size();
-}
 
-bool has_non_ascii(std::string_view text) {
-  return std::any_of(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) >= 0x80; });
-}
+  /// Copies one character of two to four bytes of UTF-8 as \UXXXXXXXX.
+  void copy_escaped() {
+    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text_[at_ + i]); };
+    const std::size_t size = std::size_t(std::countl_one(byte(0)));
+    bool valid = size >= 2 && size <= 4 && at_ + size <= text_.size();
+    std::uint32_t code = byte(0) & (0x7fu >> size);
+    for (std::size_t i = 1; valid && i < size; ++i) {
+      valid = (byte(i) & 0xc0) == 0x80;
+      code = code << 6 | (byte(i) & 0x3f);
+    }
+    if (!valid) fail("expected UTF-8");
+    std::array<char, 11> escape{};
+    std::snprintf(escape.data(), escape.size(), "\\U%08x", unsigned(code));
+    ascii_ += escape.data();
+    at_ += size;
+  }
 
-/// Refuses what toml++ 3.3 does not bear. It makes and destroys nested values, and the tables of dotted keys, by
-/// recursion with no bound of its own on dots. It asserts rather than reports when '}' stands where an array expects a
-/// value. And its test for blanks is undefined for most characters beyond ASCII: they are legal in quotes and comments,
-/// where it asks only after a backslash in a multi-line string.
-void refuse_unbearable(std::string_view text, const std::string& file) {
-  constexpr std::size_t deepest = 24;
-  std::string open;  // brackets
-  std::size_t dots = 0;
-  const auto fail = [&](std::size_t i, const std::string& what) {
-    const auto line = 1 + std::count(text.begin(), text.begin() + std::ptrdiff_t(i), '\n');
-    throw InputError(at_line(file, std::size_t(line)) + what);
-  };
-  const std::string_view byte_order_mark = "\xEF\xBB\xBF";
-  const std::size_t start = text.starts_with(byte_order_mark) ? byte_order_mark.size() : 0;
-  for (std::size_t i = start; i < text.size();) {
-    const char c = text[i];
-    if (c == '"' || c == '\'') {
-      // Where no string may begin, the parser would look at what follows as if it stood outside quotes.
-      if (i > start && std::string_view(" \t\r\n=,.[{").find(text[i - 1]) == std::string_view::npos)
-        fail(i, "expected a blank, '=', ',', '.', '[' or '{' before a quote");
-      const std::size_t end = skip_string(text, i);
-      if (text.substr(i, 3) == R"(""")" && has_non_ascii(text.substr(i, end - i))) {
-        fail(i, "expected ASCII in a string of several lines");
-      }
-      i = end;
-      continue;
-    }
-    if (c == '#') {
-      i = std::min(text.find('\n', i), text.size());
-      continue;
-    }
-    if (has_non_ascii(text.substr(i, 1))) fail(i, "expected ASCII outside quotes and comments");
-    if (c == '[' || c == '{') open += c;
+  void count_nesting(char c) {
+    constexpr std::size_t deepest = 24;
+    if (c == '[' || c == '{') open_ += c;
     if (c == ']' || c == '}') {
       const char opening = c == ']' ? '[' : '{';
-      if (open.empty() || open.back() != opening) fail(i, std::string("'") + c + "' closes no '" + opening + "'");
-      open.pop_back();
+      if (open_.empty() || open_.back() != opening) fail(std::string("'") + c + "' closes no '" + opening + "'");
+      open_.pop_back();
     }
-    if (c == '.') ++dots;
-    if (std::string_view("[]{},=\n").find(c) != std::string_view::npos) dots = 0;
-    if (open.size() > deepest || dots > deepest) {
-      fail(i, "expected at most " + std::to_string(deepest) + " levels of nesting");
+    if (c == '.') ++dots_;
+    if (std::string_view("[]{},=\n").find(c) != std::string_view::npos) dots_ = 0;
+    if (open_.size() > deepest || dots_ > deepest) {
+      fail("expected at most " + std::to_string(deepest) + " levels of nesting");
     }
-    ++i;
   }
-}
+
+  std::string_view text_;
+  const std::string& file_;
+  std::size_t at_ = 0;
+  std::string ascii_;
+  std::string open_;  ///< brackets
+  std::size_t dots_ = 0;
+};
 
 const char* type_of(const toml::node& node) {
   switch (node.type()) {
@@ -110,9 +145,9 @@ std::optional<double> as_number(const toml::node& node) {
 }  // namespace
 
 toml::table parse_toml(std::string_view text, const std::string& file) {
-  refuse_unbearable(text, file);
+  const std::string ascii = Bearable(text, file).ascii();
   try {
-    return toml::parse(text, file);
+    return toml::parse(ascii, file);
   } catch (const toml::parse_error& error) {
     throw InputError(at_line(file, error.source().begin.line) + std::string(error.description()));
   }

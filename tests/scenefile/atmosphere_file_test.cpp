@@ -105,6 +105,15 @@ TEST(AtmosphereFile, name_is_given_or_the_files) {
   EXPECT_EQ(parse_atmosphere("name = \"Titan\"\n" + std::string(bruneton), "a.toml").name, "Titan");
 }
 
+TEST(AtmosphereFile, names_may_hold_any_character) {
+  // A byte order mark first, characters of two to four bytes, a comment, and one behind a line's continuation.
+  const std::string name = "Z\xC3\xBCrich \xE2\x98\x80\xF0\x9F\x8C\x84";
+  const std::string quoted = "\xEF\xBB\xBFname = \"" + name + "\" # \xC3\xA9\n" + bruneton;
+  EXPECT_EQ(parse_atmosphere(quoted, "air.toml").name, name);
+  const std::string many_lines = "name = \"\"\"\\\n  " + name + "\"\"\"\"\n" + bruneton;
+  EXPECT_EQ(parse_atmosphere(many_lines, "air.toml").name, name + '"');
+}
+
 TEST(AtmosphereFile, angstrom_exponent_has_the_other_sign) {
   const Constituent aerosol = constituent(
       "profile = { type = \"exponential\", scale_height = 1500 }\n"

@@ -188,11 +188,12 @@ TEST(BadAtmospheres, get_file_line_key_value_and_range) {
        "alb\xC3\xA9"
        "do = 1",
        {"air.toml:4: ", "expected ASCII outside quotes and comments"}},
-      {4, "name = \"\xFF\"", {"air.toml:4: "}},
+      {4, "name = \"\xFF\"", {"air.toml:4: ", "expected UTF-8"}},
       {4, "albedo = { wavelengths = [400, }", {"air.toml:4: ", "'}' closes no '{'"}},
       {5, "[sun", {"air.toml:5: "}},
       {4, "albedo = ", {"air.toml:4: "}},
       {4, "albedo = 0.1\nalbedo = 0.2", {"air.toml:5: "}},
+      {4, "name = \"\xC3\"", {"air.toml:4: ", "expected UTF-8"}},
       {4, "albedo = 0.1 \xff", {"air.toml:"}},
       {4, "albedo = " + std::string(1000, '['), {"air.toml:4: ", "expected at most 24 levels of nesting"}},
       {4,
@@ -213,7 +214,8 @@ TEST(BadAtmospheres, get_file_line_key_value_and_range) {
            }() +
            " = 1}]",
        {"air.toml:4: ", "levels of nesting"}},
-      {4, "a = \"\"\"\\\n\xC3\xA9\"\"\"", {"air.toml:4: ", "expected ASCII in a string of several lines"}},
+      {4, "a = 'caf\xC3\xA9'", {"air.toml:4: ", "expected ASCII in single quotes"}},
+      {4, "a = \"caf\\\xC3\xA9\"", {"air.toml:4: ", "expected an escape behind a backslash"}},
       // bases and overrides
       {1, "base = \"erth\"\n[planet]", {"air.toml:1: ", "base = \"erth\": unknown atmosphere; did you mean earth?"}},
       {1,
