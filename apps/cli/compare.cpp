@@ -14,7 +14,9 @@
 #include "image/contact_sheet.h"
 #include "image/tone.h"
 #include "interrupt.h"
+#include "number.h"
 #include "number_option.h"
+#include "optics/colour.h"
 #include "progress.h"
 #include "scene_render.h"
 #include "text_output.h"
@@ -49,15 +51,14 @@ struct Result {
   } error;
 };
 
-double luminance(const float* rgb) {
-  return 0.2126 * double(rgb[0]) + 0.7152 * double(rgb[1]) + 0.0722 * double(rgb[2]);
+std::array<double, 3> pixel(const Result& result, std::size_t i) {
+  return {double(result.rgb[3 * i]), double(result.rgb[3 * i + 1]), double(result.rgb[3 * i + 2])};
 }
 
 /// CIE 1976 chromaticity of linear sRGB.
-std::array<double, 2> chromaticity(const float* c) {
-  const double r = double(c[0]), g = double(c[1]), b = double(c[2]);
-  const double x = 0.4124 * r + 0.3576 * g + 0.1805 * b, y = 0.2126 * r + 0.7152 * g + 0.0722 * b,
-               z = 0.0193 * r + 0.1192 * g + 0.9505 * b, sum = x + 15 * y + 3 * z;
+std::array<double, 2> chromaticity(const std::array<double, 3>& rgb) {
+  const auto [x, y, z] = srgb_to_xyz(rgb);
+  const double sum = x + 15 * y + 3 * z;
   return {4 * x / sum, 9 * y / sum};
 }
 
@@ -65,10 +66,10 @@ std::array<double, 2> chromaticity(const float* c) {
 std::vector<double> differences(const Result& result, const Result& yardstick) {
   std::vector<double> out(result.rgb.size() / 3);
   double brightest = 0;
-  for (std::size_t i = 0; i < out.size(); ++i) brightest = std::max(brightest, luminance(&yardstick.rgb[3 * i]));
+  for (std::size_t i = 0; i < out.size(); ++i) brightest = std::max(brightest, luminance(pixel(yardstick, i)));
   for (std::size_t i = 0; i < out.size(); ++i) {
-    const double b = luminance(&yardstick.rgb[3 * i]);
-    out[i] = brightest > 0 ? (luminance(&result.rgb[3 * i]) - b) / std::max(b, 1e-4 * brightest) : 0;
+    const double b = luminance(pixel(yardstick, i));
+    out[i] = brightest > 0 ? (luminance(pixel(result, i)) - b) / std::max(b, 1e-4 * brightest) : 0;
   }
   return out;
 }
@@ -85,7 +86,7 @@ Result::Error error_of(const Result& result, const Result& yardstick, const std:
   for (std::size_t i = 0; i < difference.size(); ++i) {
     sum += difference[i];
     size.push_back(std::abs(difference[i]));
-    const float *a = &result.rgb[3 * i], *b = &yardstick.rgb[3 * i];
+    const auto a = pixel(result, i), b = pixel(yardstick, i);
     if (!(luminance(a) > 0 && luminance(b) > 0)) continue;
     const auto p = chromaticity(a), q = chromaticity(b);
     colour.push_back(std::hypot(p[0] - q[0], p[1] - q[1]));
@@ -138,16 +139,6 @@ Result draw(const Scene& scene, const std::string& model, const std::shared_ptr<
   return result;
 }
 
-std::vector<std::string> split(const std::string& list) {
-  std::vector<std::string> words;
-  for (std::size_t begin = 0; begin <= list.size();) {
-    const std::size_t end = std::min(list.find(',', begin), list.size());
-    words.push_back(list.substr(begin, end - begin));
-    begin = end + 1;
-  }
-  return words;
-}
-
 struct Chosen {
   std::vector<std::string> names;  ///< the yardstick first
   bool all = false;                ///< those that cannot draw the scene are left out
@@ -162,7 +153,7 @@ Chosen chosen_models(const CompareOptions& options) {
   if (chosen.all)
     for (const ModelInfo& info : models()) named.emplace_back(info.name);
   else
-    named = split(options.models);
+    for (const std::string_view name : comma_separated(options.models)) named.emplace_back(name);
   for (const std::string& name : named) {
     if (!chosen.all) check_model_name(name, "--models", model_names());
     if (name != options.yardstick) {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "airlight/error.h"
+#include "number.h"
 
 namespace airlight::cli {
 namespace {
@@ -18,11 +19,8 @@ std::vector<const InputChannel*> find_channels(const InputPicture& picture, cons
       found.push_back(&picture.channel(text.empty() ? name : text + '.' + name, option));
     return found;
   }
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t end = std::min(text.find(',', begin), text.size());
-    found.push_back(&picture.channel(text.substr(begin, end - begin), option));
-    begin = end + 1;
-  }
+  for (const std::string_view name : comma_separated(text))
+    found.push_back(&picture.channel(std::string(name), option));
   return found;
 }
 

@@ -4,6 +4,7 @@
 
 #include "airlight/error.h"
 #include "lens.h"
+#include "number.h"
 #include "number_option.h"
 #include "picture_outputs.h"
 
@@ -44,14 +45,10 @@ bool HazeOptions::bad_depth_is_sky() const { return choose("--bad-depth", bad_de
 
 std::optional<std::array<double, 3>> HazeOptions::eye_position() const {
   if (eye.empty()) return {};
+  const std::vector<std::string_view> numbers = comma_separated(eye);
+  if (numbers.size() != 3) throw InputError(fmt::format("--eye = {}: expected three numbers, X,Y,Z", eye));
   std::array<double, 3> position{};
-  std::size_t begin = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::size_t end = i == 2 ? eye.size() : eye.find(',', begin);
-    if (end == std::string::npos) throw InputError(fmt::format("--eye = {}: expected three numbers, X,Y,Z", eye));
-    position[i] = parse_number(std::string_view(eye).substr(begin, end - begin), "--eye", {-1e15, 1e15, "units"});
-    begin = end + 1;
-  }
+  for (std::size_t i = 0; i < 3; ++i) position[i] = parse_number(numbers[i], "--eye", {-1e15, 1e15, "units"});
   return position;
 }
 

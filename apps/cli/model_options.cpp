@@ -8,6 +8,7 @@
 
 #include "airlight/error.h"
 #include "model/model.h"
+#include "number.h"
 
 namespace airlight::cli {
 namespace {
@@ -24,12 +25,10 @@ std::optional<double> number(std::string_view text) {
 ParameterValue parse_parameter(std::string_view text) {
   if (text == "true" || text == "false") return std::vector<double>{text == "true" ? 1.0 : 0.0};
   std::vector<double> numbers;
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t end = std::min(text.find(',', begin), text.size());
-    const auto value = number(text.substr(begin, end - begin));
+  for (const std::string_view part : comma_separated(text)) {
+    const auto value = number(part);
     if (!value) return std::string(text);
     numbers.push_back(*value);
-    begin = end + 1;
   }
   return numbers;
 }

@@ -10,6 +10,16 @@
 
 namespace airlight::cli {
 
+std::vector<std::string_view> comma_separated(std::string_view text) {
+  std::vector<std::string_view> pieces;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    pieces.push_back(text.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return pieces;
+}
+
 std::string expected(const Interval& interval) {
   return fmt::format("expected {:g} .. {:g}{}{}", interval.low, interval.high, interval.unit.empty() ? "" : " ",
                      interval.unit);

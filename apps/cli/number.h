@@ -11,6 +11,9 @@ struct Interval {
   std::string_view unit;  ///< "" for plain numbers
 };
 
+/// What stands between the commas; empty text is one empty piece.
+std::vector<std::string_view> comma_separated(std::string_view text);
+
 /// "expected -90 .. 90 degrees"
 std::string expected(const Interval& interval);
 

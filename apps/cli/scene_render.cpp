@@ -10,6 +10,7 @@
 #include "commands.h"
 #include "interrupt.h"
 #include "model_options.h"
+#include "number.h"
 #include "number_option.h"
 #include "optics/colour.h"
 
@@ -156,15 +157,12 @@ std::vector<Layer> ScenePictureOptions::layers() const {
   const auto add = [&](const auto& wanted) {
     std::ranges::copy_if(all_layers(), std::back_inserter(chosen), wanted, &Layer::name);
   };
-  for (std::size_t begin = 0; begin <= aov.size();) {
-    const std::size_t end = std::min(aov.find(',', begin), aov.size());
-    const std::string_view word = std::string_view(aov).substr(begin, end - begin);
+  for (const std::string_view word : comma_separated(aov)) {
     if (word == "all") {
       add([](std::string_view name) { return name != spectral; });
     } else {
       add([name = names[choose("--aov", word, names)]](std::string_view other) { return other == name; });
     }
-    begin = end + 1;
   }
   return chosen;
 }

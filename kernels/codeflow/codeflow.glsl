@@ -55,7 +55,7 @@ FN Float codeflow_depth(Vec3 position, Vec3 direction) {
 }
 
 /// How free of the solid core a direction is [1]: 0 where it meets the core, 1 from half a radian above its edge.
-/// The article's acos(w.d) is the angle at the point between the direction and the core's edge nearest to its closest approach; that
+/// The article's arc cosine of w.d is the angle at the point between the direction and the core's edge nearest to its closest approach; that
 /// triangle has a right angle, so the angle is atan2(|n| - r, u) and needs no case for rays that look outward (u < 0).
 /// @param squared [1] in 0..1   p.p
 /// @param along [1] in -1..1    p.d

@@ -106,3 +106,13 @@ FN Float half_texel(Float u, Scalar n) { return (0.5 + u * (n - 1.0)) * (1.0 / n
 /// @param t [1] in 0..1
 /// @param n [1] in 2..1024
 FN Float from_half_texel(Float t, Scalar n) { return clamp((t * n - 0.5) * (1.0 / (n - 1.0)), 0.0, 1.0); }
+
+/// The three points of Gauss's rule on 0..1, again and again [1]: x: where the i-th is in its part, y: its weight.
+/// @param i [1] in 0..71
+FN Vec2 gauss_three(int i) {
+  int third = i - 3 * (i / 3);
+  Vec2 point = Vec2(Float(0.112701665379258), Float(5.0 / 18.0));
+  if (third == 1) point = Vec2(Float(0.5), Float(4.0 / 9.0));
+  if (third == 2) point = Vec2(Float(0.887298334620742), Float(5.0 / 18.0));
+  return point;
+}

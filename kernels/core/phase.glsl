@@ -45,7 +45,7 @@ FN Float peak_distance(Scalar g, Float one_minus_cos) {
 /// @param one_minus_cos [1] in 0..2
 FN Float phase_henyey_greenstein(Scalar g, Float one_minus_cos) {
   Float d = peak_distance(g, one_minus_cos);
-  return 0.0795774715459477 * (1.0 - g * g) / (d * sqrt(d));  // not pow(d, 1.5): five times dearer
+  return 0.0795774715459477 * (1.0 - g * g) / (d * sqrt(d));  // a general power is five times dearer
 }
 
 /// Cornette & Shanks 1992 (doi:10.1364/AO.31.003152), g > 0 forward [1/sr].

@@ -8,31 +8,43 @@
 // A strip seen from a place is integrated over psi, the angle of its points about its foot: x = q.x + distance tan(psi). The integrand
 // is smooth there; three-point Gauss in eight parts is exact to 1e-9, in two parts to 1e-4.
 
+/// A strip seen from a place: the place's height over the strip's plane [km]; its squared distance from the strip's line [km^2], psi where
+/// the visible part begins, how much of psi there is [rad].
+FN Float rama_foot(Table2 lights, int l, Vec3 q, Scalar least_square, OUT(Float) square, OUT(Float) first, OUT(Float) wide) {
+  Scalar4 place = fetch_scalar(lights, l, 0);
+  Scalar4 ends = fetch_scalar(lights, l, 1);
+  Float height = max(place.x - (q.y * place.y + q.z * place.z), 0.0);
+  Float side = q.z * place.y - q.y * place.z;
+  square = max(height * height + side * side, least_square);
+  Vec2 seen = rama_visible(q, place.x, place.y, place.z, ends.x, ends.y);
+  first = arc_tangent2(seen.x - q.x, sqrt(square));
+  wide = max(arc_tangent2(seen.y - q.x, sqrt(square)) - first, 0.0);
+  return height;
+}
+/// The strip's point at an angle psi [km]; the angle's cosine.
+FN Vec3 rama_strip_point(Table2 lights, int l, Vec3 q, Float distance, Float psi, OUT(Float) c) {
+  Scalar4 place = fetch_scalar(lights, l, 0);
+  c = cos(psi);
+  return Vec3(q.x + distance * sin(psi) / max(c, 1.0e-6), Float(place.x * place.y), Float(place.x * place.z));
+}
+
 /// One strip's light at a place, a sum over its visible points: of solid angle times transmittance, and, where `phased` is 1, four pi times
 /// Rayleigh's phase towards `view` [sr].
 FN_SHARED Vec4 rama_strip(IN(Rama) rama, Table2 lights, int l, Vec3 q, Vec3 view, Scalar phased) {
   Scalar4 place = fetch_scalar(lights, l, 0);
   Scalar4 ends = fetch_scalar(lights, l, 1);
-  Float height = max(place.x - (q.y * place.y + q.z * place.z), 0.0);
-  Float side = q.z * place.y - q.y * place.z;
-  Float square = max(height * height + side * side, 1.0e-10);
+  Float square = Float(0.0);
+  Float first = Float(0.0);
+  Float wide = Float(0.0);
+  Float height = rama_foot(lights, l, q, 1.0e-10, square, first, wide);
   Float distance = sqrt(square);
-  Vec2 seen = rama_visible(q, place.x, place.y, place.z, ends.x, ends.y);
-  Float first = arc_tangent2(seen.x - q.x, distance);
-  Float part = max(arc_tangent2(seen.y - q.x, distance) - first, 0.0) * (1.0 / 8.0);
+  Float part = wide * (1.0 / 8.0);
   Vec4 sum = Vec4(0.0);
   for (int i = 0; i < 24; ++i) {
-    int third = i - 3 * (i / 3);
-    Float weight = Float(5.0 / 18.0);
-    Float node = Float(0.112701665379258);
-    if (third == 1) {
-      weight = Float(4.0 / 9.0);
-      node = Float(0.5);
-    }
-    if (third == 2) node = Float(0.887298334620742);
-    Float psi = first + part * (Float(i / 3) + node);
-    Float c = cos(psi);
-    Vec3 s = Vec3(q.x + distance * sin(psi) / max(c, 1.0e-6), Float(place.x * place.y), Float(place.x * place.z));
+    Vec2 point = gauss_three(i);
+    Float weight = point.y;
+    Float c = Float(0.0);
+    Vec3 s = rama_strip_point(lights, l, q, distance, first + part * (Float(i / 3) + point.x), c);
     if (phased > 0.5) {
       Float mu = dot(s - q, view) * c / distance;
       weight = weight * 0.75 * (1.0 + mu * mu);
@@ -88,29 +100,20 @@ FN_SHARED Vec4 rama_irradiance(IN(Rama) rama, Table2 lights, Vec3 p, Vec3 normal
   for (int l = 0; l < count; ++l) {
     Scalar4 place = fetch_scalar(lights, l, 0);
     Scalar4 ends = fetch_scalar(lights, l, 1);
-    Float height = max(place.x - (p.y * place.y + p.z * place.z), 0.0);
-    Float side = p.z * place.y - p.y * place.z;
-    Float square = max(height * height + side * side, 1.0e-6);
+    Float square = Float(0.0);
+    Float first = Float(0.0);
+    Float wide = Float(0.0);
+    Float height = rama_foot(lights, l, p, 1.0e-6, square, first, wide);
     Float distance = sqrt(square);
-    Vec2 seen = rama_visible(p, place.x, place.y, place.z, ends.x, ends.y);
-    Float first = arc_tangent2(seen.x - p.x, distance);
-    Float part = max(arc_tangent2(seen.y - p.x, distance) - first, 0.0) * 0.5;
+    Float part = wide * 0.5;
     Vec4 sum = Vec4(0.0);
     for (int i = 0; i < 6; ++i) {
-      int third = i - 3 * (i / 3);
-      Float weight = Float(5.0 / 18.0);
-      Float node = Float(0.112701665379258);
-      if (third == 1) {
-        weight = Float(4.0 / 9.0);
-        node = Float(0.5);
-      }
-      if (third == 2) node = Float(0.887298334620742);
-      Float psi = first + part * (Float(i / 3) + node);
-      Float c = cos(psi);
-      Vec3 s = Vec3(p.x + distance * sin(psi) / max(c, 1.0e-6), Float(place.x * place.y), Float(place.x * place.z));
+      Vec2 point = gauss_three(i);
+      Float c = Float(0.0);
+      Vec3 s = rama_strip_point(lights, l, p, distance, first + part * (Float(i / 3) + point.x), c);
       Vec4 through = Vec4(1.0);
       if (rama.air > 0.5) through = rama_through(rama, rama_depth_fast(rama, s, p));
-      sum = sum + through * (weight * c * c * max(dot(normal, s - p), 0.0));
+      sum = sum + through * (point.y * c * c * max(dot(normal, s - p), 0.0));
     }
     total = total + sum * (part * ends.z * height / (square * distance) * place.w);
   }

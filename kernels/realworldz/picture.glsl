@@ -1,6 +1,8 @@
 #pragma once
+#include "core/cube.glsl"
 #include "core/picture.glsl"
 #include "core/tables.glsl"
+#include "core/tone.glsl"
 #include "realworldz/sky.glsl"
 #include "realworldz/terrain.glsl"
 // RealWorldz' pictures: sky over stars, terrain, both behind fog. World frame: east, north, up at the viewer, turned into the planet's.
@@ -30,29 +32,10 @@ FN Vec4 realworldz_rings_pass(IN(Realworldz) rw, IN(Observer) observer, Vec2 uv)
   return Vec4(realworldz_rings(rw, Float(observer.altitude), floor(uv.x * 65.0)));
 }
 
-/// Place of a direction in the cube map of stars [texel], a face's texels being `size` wide without their border.
-/// @param d [1] in -0.577..0.577
-/// @param size [texel] in 16..1024
-/// @bound 1.0 scale 1e4   which face at their edges is a decision
-FN Vec2 realworldz_star_texel(Vec3 d, Scalar size) {
-  Vec3 a = Vec3(abs(d.x), abs(d.y), abs(d.z));
-  Bool x = (a.x >= a.y) && (a.x >= a.z);
-  Bool y = !x && (a.y >= a.z);
-  Float major = select(x, d.x, select(y, d.y, d.z));
-  Float s = select(x, d.y, select(y, d.z, d.x));
-  Float t = select(x, d.z, select(y, d.x, d.y));
-  Float face = select(x, Float(0.0), select(y, Float(2.0), Float(4.0))) + select(major < 0.0, Float(1.0), Float(0.0));
-  Float per = 1.0 / max(abs(major), 1.0e-6);
-  return Vec2(face * (size + 2.0) + 0.5 + (0.5 + 0.5 * s * per) * size, 0.5 + (0.5 + 0.5 * t * per) * size);
-}
-
 /// Stars in a direction [1]; w: how dark it is there, 0 for bright stars.
 FN Vec4 realworldz_stars(Table2 stars, Scalar gain, Vec3 d) {
-  Scalar size = height_of(stars) - 2.0;
-  Vec2 at = realworldz_star_texel(d, size);
-  // Texel i of a face stands at i + 1 in its bordered face: half a texel of the lookup's own is added.
-  Vec4 light = lookup(stars, Vec2((at.x + 0.5) * (1.0 / width_of(stars)), (at.y + 0.5) * (1.0 / height_of(stars)))) * gain;
-  Float bright = 0.2126 * light.x + 0.7152 * light.y + 0.0722 * light.z;
+  Vec4 light = lookup(stars, cube_uv(d, width_of(stars))) * gain;
+  Float bright = tone_luminance(xyz(light));
   return Vec4(light.x, light.y, light.z, 1.0 - min(bright, 1.0));
 }
 

@@ -11,19 +11,12 @@
 FN_SHARED Float realworldz_leg(IN(Realworldz) rw, Float gap, Float slope, Float length) {
   Float sum = Float(0.0);
   for (int i = 0; i < 72; ++i) {
-    int third = i - 3 * (i / 3);
-    Float weight = Float(5.0 / 18.0);
-    Float node = Float(0.112701665379258);
-    if (third == 1) {
-      weight = Float(4.0 / 9.0);
-      node = Float(0.5);
-    }
-    if (third == 2) node = Float(0.887298334620742);
-    Float u = (Float(i / 3) + node) * (1.0 / 24.0);
+    Vec2 point = gauss_three(i);
+    Float u = (Float(i / 3) + point.x) * (1.0 / 24.0);
     Float s = length * u * u;
     Float k = gap + s * (2.0 * slope + s);
     Float height = k / (sqrt(max(rw.ground_radius * rw.ground_radius + k, 0.0)) + rw.ground_radius);
-    sum = sum + weight * u * exp(-max(height, 0.0) * (1.0 / rw.scale_height));
+    sum = sum + point.y * u * exp(-max(height, 0.0) * (1.0 / rw.scale_height));
   }
   return sum * length * (rw.density * (2.0 / 24.0));
 }

@@ -45,9 +45,6 @@ struct Adapter {
   double scale = 1;
 };
 
-/// 1 - cos of a scattering angle whose cosine was given.
-inline double one_minus(double cosine) { return 1 - cosine; }
-
 std::span<const Adapter> all_adapters();
 /// Null where no adapter has that name.
 const Adapter* find_adapter(std::span<const Adapter> adapters, std::string_view name);

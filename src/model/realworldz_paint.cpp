@@ -1,15 +1,16 @@
 #include "model/realworldz_paint.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+
+#include "optics/colour.h"
 
 namespace airlight {
 namespace {
 
 using std::numbers::pi;
-
-double luminance(const double* c) { return 0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2]; }
 
 /// The four texels around a place, with their weights.
 template <class Take>
@@ -148,7 +149,8 @@ std::vector<double> discontinuities(const SkyTable& painted) {
 void adjust(SkyTable& painted, const Adjustment& a) {
   const std::size_t count = painted.rgba.size() / 4;
   double mean = 0;
-  for (std::size_t i = 0; i < count; ++i) mean += luminance(&painted.rgba[4 * i]) / double(count);
+  for (std::size_t i = 0; i < count; ++i)
+    mean += luminance({painted.rgba[4 * i], painted.rgba[4 * i + 1], painted.rgba[4 * i + 2]}) / double(count);
   // Rotation about (1, 1, 1), after Rodrigues.
   const double c = std::cos(a.hue), s = std::sin(a.hue), third = (1 - c) / 3, root = s / std::sqrt(3.0);
   for (std::size_t i = 0; i < count; ++i) {
@@ -156,10 +158,10 @@ void adjust(SkyTable& painted, const Adjustment& a) {
     const double turned[3] = {t[0] * (c + third) + t[1] * (third - root) + t[2] * (third + root),
                               t[0] * (third + root) + t[1] * (c + third) + t[2] * (third - root),
                               t[0] * (third - root) + t[1] * (third + root) + t[2] * (c + third)};
-    const double reddened[3] = {turned[0] * (1 + a.redden), turned[1], turned[2] * (1 - a.redden)};
+    const std::array<double, 3> reddened{turned[0] * (1 + a.redden), turned[1], turned[2] * (1 - a.redden)};
     const double light = std::max(luminance(reddened), 0.0);
     const double gain = a.lighten * (light > 0 && mean > 0 ? std::pow(light / mean, a.contrast - 1) : 1);
-    for (int k = 0; k < 3; ++k) t[k] = std::max(reddened[k], 0.0) * gain;
+    for (std::size_t k = 0; k < 3; ++k) t[k] = std::max(reddened[k], 0.0) * gain;
   }
 }
 

@@ -45,31 +45,36 @@ std::array<double, 3> star_colour(double colour_index) {
   const auto xyz = spectrum_to_xyz(wavelengths, spectrum);
   std::array<double, 3> rgb = xyz_to_srgb({xyz[0], xyz[1], xyz[2]});
   for (double& c : rgb) c = std::max(c, 0.0);
-  const double luminance = 0.2126 * rgb[0] + 0.7152 * rgb[1] + 0.0722 * rgb[2];
-  for (double& c : rgb) c /= luminance;
+  const double light = luminance(rgb);
+  for (double& c : rgb) c /= light;
   return rgb;
 }
 
+// Faces of kernels/core/cube.glsl: what looks out of each, to the right and up in it.
+constexpr struct {
+  Direction out, right, up;
+} faces[6] = {{{1, 0, 0}, {0, -1, 0}, {0, 0, 1}}, {{-1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+              {{0, 1, 0}, {1, 0, 0}, {0, 0, 1}},  {{0, -1, 0}, {-1, 0, 0}, {0, 0, 1}},
+              {{0, 0, 1}, {1, 0, 0}, {0, -1, 0}}, {{0, 0, -1}, {1, 0, 0}, {0, 1, 0}}};
+
 StarMap star_map(int size) {
-  const int height = size + 2, width = 6 * height;
-  StarMap map{{width, height}, std::vector<double>(4 * std::size_t(width) * std::size_t(height))};
+  const int side = size + 2;
+  StarMap map{{side, 6 * side}, std::vector<double>(24 * std::size_t(side) * std::size_t(side))};
+  const auto dot = [](const Direction& a, const Direction& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; };
   for (const Star& star : star_catalogue()) {
     const auto colour = star_colour(star.colour_index);
     const double light = std::pow(10, -0.4 * star.magnitude);
     for (int face = 0; face < 6; ++face) {
-      const auto axis = std::size_t(face / 2);
-      const double major = star.direction[axis] * (face % 2 ? -1 : 1);
+      const double major = dot(star.direction, faces[face].out);
       if (major <= 0.1) continue;
-      // The other two axes in their cyclic order, as kernels/realworldz/picture.glsl has them.
-      const double s = star.direction[(axis + 1) % 3] / major, t = star.direction[(axis + 2) % 3] / major;
-      const double x = (0.5 + 0.5 * s) * size + 0.5, y = (0.5 + 0.5 * t) * size + 0.5;  // texel 0 is the border
+      const double s = dot(star.direction, faces[face].right) / major, t = dot(star.direction, faces[face].up) / major;
+      const double x = (0.5 + 0.5 * s) * size + 0.5, y = (0.5 - 0.5 * t) * size + 0.5;  // texel 0 is the border
       const double texel_solid_angle = 4.0 / (double(size) * size) / std::pow(1 + s * s + t * t, 1.5);
       for (int corner = 0; corner < 4; ++corner) {
         const double i = std::floor(x) + corner % 2, j = std::floor(y) + corner / 2;
-        if (i < 0 || j < 0 || i >= height || j >= height) continue;  // seen on another face
+        if (i < 0 || j < 0 || i >= side || j >= side) continue;  // seen on another face
         const double part = (1 - std::abs(x - i)) * (1 - std::abs(y - j)) * light / texel_solid_angle;
-        double* const texel =
-            &map.rgba[4 * (std::size_t(j) * std::size_t(width) + std::size_t(face * height) + std::size_t(i))];
+        double* const texel = &map.rgba[4 * (std::size_t(face * side + int(j)) * std::size_t(side) + std::size_t(i))];
         for (std::size_t c = 0; c < 3; ++c) texel[c] += part * colour[c];
       }
     }

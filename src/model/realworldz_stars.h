@@ -21,7 +21,7 @@ const std::vector<Star>& star_catalogue();
 std::array<double, 3> star_colour(double colour_index);
 
 struct StarMap {
-  Shape shape;  ///< six faces (+x, -x, +y, -y, +z, -z) side by side, each with a border of one texel
+  Shape shape;  ///< as kernels/core/cube.glsl has it
   std::vector<double> rgba;
 };
 

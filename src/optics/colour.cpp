@@ -190,6 +190,12 @@ std::array<double, 3> xyz_to_srgb(const Xyz& v) {
           0.0556434 * v[0] - 0.2040259 * v[1] + 1.0572252 * v[2]};
 }
 
+Xyz srgb_to_xyz(const std::array<double, 3>& c) {
+  return {0.4124564 * c[0] + 0.3575761 * c[1] + 0.1804375 * c[2],
+          0.2126729 * c[0] + 0.7151522 * c[1] + 0.0721750 * c[2],
+          0.0193339 * c[0] + 0.1191920 * c[1] + 0.9503041 * c[2]};
+}
+
 std::array<double, 3> spectrum_to_xyz(std::span<const double> wavelengths, std::span<const double> spectrum) {
   const auto weights = hat_weights(wavelengths, [](double) { return 1.0; });
   Xyz colour{};

@@ -20,6 +20,11 @@ std::vector<Xyz> colour_weights(const Atmosphere& atmosphere, std::span<const do
 
 /// Linear sRGB (IEC 61966-2-1 primaries, D65) of XYZ.
 std::array<double, 3> xyz_to_srgb(const Xyz& xyz);
+Xyz srgb_to_xyz(const std::array<double, 3>& rgb);
+/// Y of linear sRGB.
+inline double luminance(const std::array<double, 3>& rgb) {
+  return 0.2126 * rgb[0] + 0.7152 * rgb[1] + 0.0722 * rgb[2];
+}
 
 /// The four wavelengths [nm] of real time: of all quads on a 10 nm grid the one whose colour differs least from that of 40 wavelengths
 /// over skies of clear and hazy air with the sun from 60 degrees down to -9 (root mean square 0.001, worst 0.003 in CIE u'v').

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <compare>
+#include <map>
 #include <tuple>
 
 namespace airlight {
@@ -69,39 +69,24 @@ class Builder {
   /// Altitudes at lattice points of coarser tiles. Land is asked for many places at once, so each edge is walked twice: the first
   /// time only notes what it needs.
   struct Coarse {
-    struct Place {
-      int level;
-      std::int32_t x, y;
-      double altitude;
-      auto operator<=>(const Place& o) const { return std::tie(level, x, y) <=> std::tie(o.level, o.x, o.y); }
-      bool operator==(const Place& o) const { return (*this <=> o) == 0; }
-    };
-    std::vector<Place> places;
-    bool known = false;
+    std::map<std::tuple<int, std::int32_t, std::int32_t>, double> altitudes;  // by level, x and y
 
-    double altitude(int level, std::int32_t x, std::int32_t y) {
-      const Place place{level, x, y, 0};
-      if (known) return std::lower_bound(places.begin(), places.end(), place)->altitude;
-      places.push_back(place);
-      return 0;
-    }
+    double altitude(int level, std::int32_t x, std::int32_t y) { return altitudes[{level, x, y}]; }
   };
 
   void find(Coarse& coarse) const {
-    auto& places = coarse.places;
-    std::sort(places.begin(), places.end());
-    places.erase(std::unique(places.begin(), places.end()), places.end());
-    std::vector<std::array<double, 2>> at;
+    std::vector<std::array<double, 2>> places;
     std::vector<double> altitudes;
-    for (std::size_t begin = 0, end = 0; begin < places.size(); begin = end) {
-      at.clear();
-      for (; end < places.size() && places[end].level == places[begin].level; ++end)
-        at.push_back({tree_.metres(places[end].x), tree_.metres(places[end].y)});
-      altitudes.resize(at.size());
-      land_.altitudes(at, tree_.cell(places[begin].level), altitudes);
-      for (std::size_t i = 0; i < at.size(); ++i) places[begin + i].altitude = altitudes[i];
+    for (auto begin = coarse.altitudes.begin(), end = begin; begin != coarse.altitudes.end(); begin = end) {
+      const int level = std::get<0>(begin->first);
+      places.clear();
+      for (; end != coarse.altitudes.end() && std::get<0>(end->first) == level; ++end)
+        places.push_back({tree_.metres(std::get<1>(end->first)), tree_.metres(std::get<2>(end->first))});
+      altitudes.resize(places.size());
+      land_.altitudes(places, tree_.cell(level), altitudes);
+      std::size_t i = 0;
+      for (auto place = begin; place != end; ++place) place->second = altitudes[i++];
     }
-    coarse.known = true;
   }
 
   /// The vertex as the coarsest tile there has it. All tiles that touch it come to the same bits.

@@ -1,6 +1,7 @@
 #include "run_program.h"
 
 #include <fcntl.h>
+#include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -10,6 +11,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <fstream>
+#include <random>
 #include <sstream>
 #include <stdexcept>
 #include <thread>
@@ -102,6 +104,24 @@ Outcome Program::wait(double seconds) {
 
 Outcome run(const Folder& folder, const std::vector<std::string>& arguments, const Setting& setting) {
   return Program(folder, arguments, setting).wait();
+}
+
+void run_through_and_after_a_kill(const Folder& whole, const Folder& killed,
+                                  const std::vector<std::string>& arguments) {
+  using Clock = std::chrono::steady_clock;
+  const auto started = Clock::now();
+  const Outcome outcome = run(whole, arguments);
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const std::chrono::duration<double> lasted = Clock::now() - started;
+  std::random_device random;
+  const double moment = std::uniform_real_distribution(0.0, lasted.count())(random);
+  {
+    Program program(killed, arguments);
+    std::this_thread::sleep_for(std::chrono::duration<double>(moment));
+    program.signal(SIGKILL);
+    program.wait();
+  }
+  ASSERT_EQ(run(killed, arguments).code, 0) << "killed after " << moment << " s";
 }
 
 std::vector<nlohmann::json> json_lines(const std::string& text) {

@@ -59,6 +59,10 @@ class Program {
 
 Outcome run(const Folder& folder, const std::vector<std::string>& arguments, const Setting& setting = {});
 
+/// Runs it in one folder to its end; in another until a random moment of that time, when it is killed, then once more to its end. Files that
+/// both leave must be alike.
+void run_through_and_after_a_kill(const Folder& whole, const Folder& killed, const std::vector<std::string>& arguments);
+
 /// One JSON value a line.
 std::vector<nlohmann::json> json_lines(const std::string& text);
 

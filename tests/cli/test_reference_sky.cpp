@@ -1,11 +1,7 @@
 // `airlight sky --model reference`: random walks as pictures, which an interruption does not change.
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <cmath>
-#include <csignal>
-#include <random>
-#include <thread>
 
 #include "read_picture.h"
 #include "run_program.h"
@@ -63,24 +59,9 @@ TEST(ReferenceSky, draws_a_fisheye_that_is_black_outside_its_circle) {
 }
 
 TEST(ReferenceSky, goes_on_after_a_kill_to_identical_files) {
-  using Clock = std::chrono::steady_clock;
   const Folder whole, killed;
   const Words words = sky("equirectangular", "12x6", "a.exr", {"--model", "reference", "--target-error", "0.02"});
-  const auto started = Clock::now();
-  const Outcome outcome = run(whole, words);
-  ASSERT_EQ(outcome.code, 0) << outcome.err;
-  const std::chrono::duration<double> lasted = Clock::now() - started;
-
-  std::random_device random;
-  const double moment = std::uniform_real_distribution(0.0, lasted.count())(random);
-  SCOPED_TRACE("killed after " + std::to_string(moment) + " s");
-  {
-    Program program(killed, words);
-    std::this_thread::sleep_for(std::chrono::duration<double>(moment));
-    program.signal(SIGKILL);
-    program.wait();
-  }
-  ASSERT_EQ(run(killed, words).code, 0);
+  ASSERT_NO_FATAL_FAILURE(run_through_and_after_a_kill(whole, killed, words));
   EXPECT_EQ(whole.names(), (Words{"a.error.exr", "a.exr"}));
   for (const char* name : {"a.exr", "a.error.exr"}) {
     const std::string bytes = read_file(whole / name);

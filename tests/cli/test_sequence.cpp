@@ -1,11 +1,7 @@
 // `airlight sequence`: frames that depend on nothing but their number, whatever happens while they are made.
 #include <gtest/gtest.h>
 
-#include <chrono>
-#include <csignal>
 #include <cstdlib>
-#include <random>
-#include <thread>
 
 #include "airlight/error.h"
 #include "digest.h"
@@ -41,25 +37,10 @@ std::vector<std::string> sequence(const std::string& frames, const std::vector<s
 }
 
 TEST(Sequence, resumes_after_a_kill_to_identical_files) {
-  using Clock = std::chrono::steady_clock;
   const Folder whole, killed;
   for (const Folder* folder : {&whole, &killed}) write_file(*folder / "scene.toml", scene);
   const std::vector<std::string> words = sequence("3", {"f_%04d.exr", "g_%d.png"});
-  const auto started = Clock::now();
-  const Outcome outcome = run(whole, words);
-  ASSERT_EQ(outcome.code, 0) << outcome.err;
-  const std::chrono::duration<double> lasted = Clock::now() - started;
-
-  std::random_device random;
-  const double moment = std::uniform_real_distribution(0.0, lasted.count())(random);
-  SCOPED_TRACE("killed after " + std::to_string(moment) + " s");
-  {
-    Program program(killed, words);
-    std::this_thread::sleep_for(std::chrono::duration<double>(moment));
-    program.signal(SIGKILL);
-    program.wait();
-  }
-  ASSERT_EQ(run(killed, words).code, 0);
+  ASSERT_NO_FATAL_FAILURE(run_through_and_after_a_kill(whole, killed, words));
   for (int frame = 0; frame < 3; ++frame) {
     for (const std::string& name : {"f_000" + std::to_string(frame) + ".exr", "g_" + std::to_string(frame) + ".png"}) {
       const std::string bytes = read_file(whole / name);

@@ -56,7 +56,7 @@ TEST(StarMap, holds_all_the_stars_light) {
     for (int j = 1; j <= size; ++j) {
       for (int i = 1; i <= size; ++i) {
         const double s = (i - 0.5) * 2 / size - 1, t = (j - 0.5) * 2 / size - 1;
-        const double* c = &map.rgba[4 * (std::size_t(j) * map.shape.width + face * height + i)];
+        const double* c = &map.rgba[4 * (std::size_t(face * height + j) * map.shape.width + i)];
         sum += (0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2]) * 4.0 / (size * size) / std::pow(1 + s * s + t * t, 1.5);
       }
     }
@@ -75,9 +75,9 @@ TEST_P(StarKernel, finds_each_bright_star) {
   const StarMap map = star_map(size);
   for (std::size_t k = 0; k < 60; ++k) {
     const Star& star = star_catalogue()[k];
-    const auto at = kernels.call("realworldz.star_texel",
-                                 {{"d", {star.direction.begin(), star.direction.end()}}, {"size", {double(size)}}}, {});
-    const int i = int(std::lround(at[0])), j = int(std::lround(at[1]));
+    const auto at = kernels.call("core.cube_uv",
+                                 {{"d", {star.direction.begin(), star.direction.end()}}, {"width", {size + 2.0}}}, {});
+    const int i = int(std::lround(at[0] * map.shape.width - 0.5)), j = int(std::lround(at[1] * map.shape.height - 0.5));
     double brightest = 0;
     for (int y = j - 1; y <= j + 1; ++y)
       for (int x = i - 1; x <= i + 1; ++x)
