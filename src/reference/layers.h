@@ -50,18 +50,15 @@ class Layers {
   void add_layers(const Atmosphere& atmosphere, double bottom, double top, std::span<const double> tolerances,
                   int depth);
   int layer_at(double radius_squared) const;
+  const double* cubic(int constituent, int power) const { return cubics_[4 * constituent + power].data(); }
   template <class Visit>
-  void follow(int layer, double impact_squared, double from, double to, Visit visit) const;
+  void climb(int first, int last, double impact_squared, double from, double to, Visit visit) const;
 
   int constituents_;
   double planet_radius_;
-  std::vector<double> tops_;  // radius^2 of each layer's top; the first reaches down from altitude 0
-  /// x = (radius^2 - middle) * scale, -1..1 in the layer
-  struct Scale {
-    double middle, scale;
-  };
-  std::vector<Scale> scales_;
-  std::vector<double> cubics_;  // for each layer four rows of all constituents: constant, linear, square, cube
+  std::vector<double> tops_;                 // radius^2 of each layer's top; the first reaches down from altitude 0
+  std::vector<double> middles_, scales_;     // x = (radius^2 - middle) * scale, -1..1 in the layer
+  std::vector<std::vector<double>> cubics_;  // for each constituent four powers of x, of all layers
 };
 
 }  // namespace airlight::reference

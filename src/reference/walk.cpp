@@ -22,7 +22,7 @@ WalkRules::WalkRules(const Atmosphere& atmosphere, std::span<const double> wavel
       surface(settings.surface),
       cloud(settings.cloud),
       max_order(settings.max_order > 0 ? settings.max_order : std::numeric_limits<int>::max()),
-      candidates(settings.guided && !settings.uniform_light ? 2 : 1),
+      candidates(settings.guided && !settings.uniform_light ? 3 : 1),
       kept_orders(settings.kept_orders),
       uniform_light(settings.uniform_light) {
   if (cloud) validate(*cloud);
@@ -217,7 +217,7 @@ void Walker::add_light_of_space(const Place& from, const Flight& flight, int ord
 /// @param sky  where light comes from, as the guide thinks; none: it does not know
 Vector Walker::draw_direction(const WalkStart& start, const std::optional<SkyAround>& sky, Random& random) {
   const Optics& optics = rules_.optics;
-  const double by_sky = sky ? 0.4 : 0;
+  const double by_sky = sky ? 0.25 : 0;
   if (event_.ground) {
     // Lambert's law, or where the sky is bright.
     const double square = random();  // of the cosine

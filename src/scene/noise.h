@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "scene/every_processor.h"
+#include "every_processor.h"
 
 namespace airlight {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scene/every_processor.h"
+#include "every_processor.h"
 #include "scene/noise.h"
 
 namespace airlight {

@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "airlight/error.h"
-#include "scene/every_processor.h"
+#include "every_processor.h"
 
 namespace airlight {
 namespace {
