@@ -1,15 +1,8 @@
 #include "clock.h"
 
 #include <algorithm>
-#include <ctime>
 
 namespace airlight::bench {
-
-double processor_time() {
-  timespec t{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-  return double(t.tv_sec) + 1e-9 * double(t.tv_nsec);
-}
 
 double best_time(const std::function<void()>& work) {
   double best = 1e9;

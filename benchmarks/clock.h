@@ -1,10 +1,9 @@
 #pragma once
 #include <functional>
 
-namespace airlight::bench {
+#include "processor_time.h"
 
-/// Processor time [s] that this process has used, user and system, all threads.
-double processor_time();
+namespace airlight::bench {
 
 /// Processor time [s] of one call: the best of five, each over as many calls as fill a hundredth of a second. The best, because other
 /// work on the machine can only add.

@@ -74,7 +74,7 @@ class ReferenceAnswerer : public Answerer {
     std::vector<double> values;
     for (const Ray& ray : rays) {
       check_interrupt();
-      const auto light = quantity == Quantity::transmittance ? solver.along(ray, wavelengths).transmittance
+      const auto light = quantity == Quantity::transmittance ? solver.transmittance(ray, wavelengths)
                                                              : solver.sun_irradiance(ray, wavelengths);
       values.insert(values.end(), light.begin(), light.end());
     }

@@ -16,6 +16,7 @@ void add_haze(CLI::App& app, Command& chosen);
 void add_sequence(CLI::App& app, Command& chosen);
 void add_tables(CLI::App& app, Command& chosen);
 void add_probe(CLI::App& app, Command& chosen);
+void add_validate(CLI::App& app, Command& chosen);  // where the reference is built in
 void add_eval(CLI::App& app, Command& chosen);
 void add_models(CLI::App& app, Command& chosen);
 void add_planets(CLI::App& app, Command& chosen);

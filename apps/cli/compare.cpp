@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <ctime>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -17,6 +16,7 @@
 #include "number.h"
 #include "number_option.h"
 #include "optics/colour.h"
+#include "processor_time.h"
 #include "progress.h"
 #include "scene_render.h"
 #include "text_output.h"
@@ -31,12 +31,6 @@ struct CompareOptions {
   std::optional<double> scale;
   ScenePictureOptions picture;
 };
-
-double processor_time() {
-  timespec t{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-  return double(t.tv_sec) + 1e-9 * double(t.tv_nsec);
-}
 
 /// What one model made of the scene.
 struct Result {

@@ -28,6 +28,9 @@ int run(int argc, char** argv) {
   add_sequence(app, chosen);
   add_tables(app, chosen);
   add_probe(app, chosen);
+#ifdef AIRLIGHT_WITH_REFERENCE
+  add_validate(app, chosen);
+#endif
   add_eval(app, chosen);
   add_models(app, chosen);
   add_planets(app, chosen);

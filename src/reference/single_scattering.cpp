@@ -61,11 +61,12 @@ class Solver {
     return sum;
   }
 
-  /// Columns of the whole path.
-  std::vector<double> columns() const {
-    std::vector<double> columns(air_.constituents(), 0.0);
+  /// Of the whole path.
+  std::vector<double> transmittance() const {
+    std::vector<double> columns(air_.constituents(), 0.0), transmittance(count_);
     air_.add_columns(path_.impact, path_.begin, path_.end, columns);
-    return columns;
+    for (std::size_t w = 0; w < count_; ++w) transmittance[w] = std::exp(-optical_depth(columns, w));
+    return transmittance;
   }
 
   /// Scattered light along the path for a sun of irradiance 1.
@@ -115,13 +116,9 @@ SingleScattering::SingleScattering(const Atmosphere& atmosphere, SingleScatterin
 RayLight SingleScattering::along(const Ray& ray, std::span<const double> wavelengths) const {
   const Path path(ray, air_);
   const Solver solver(atmosphere_, settings_, air_, path, wavelengths);
-  const std::vector<double> columns = solver.columns();
-  RayLight light{std::vector<double>(wavelengths.size()), solver.path_radiance(),
-                 std::vector<double>(wavelengths.size(), 0.0)};
-  for (std::size_t w = 0; w < wavelengths.size(); ++w) {
-    light.transmittance[w] = std::exp(-solver.optical_depth(columns, w));
+  RayLight light{solver.transmittance(), solver.path_radiance(), std::vector<double>(wavelengths.size(), 0.0)};
+  for (std::size_t w = 0; w < wavelengths.size(); ++w)
     light.path_radiance[w] *= atmosphere_.sun.irradiance.at(wavelengths[w]);
-  }
   if (path.meets_ground && std::isinf(ray.distance)) {
     const std::vector<double> arriving = solver.illumination(path.at(path.end), true);
     for (std::size_t w = 0; w < wavelengths.size(); ++w)
@@ -129,6 +126,11 @@ RayLight SingleScattering::along(const Ray& ray, std::span<const double> wavelen
                                  atmosphere_.sun.irradiance.at(wavelengths[w]) * light.transmittance[w];
   }
   return light;
+}
+
+std::vector<double> SingleScattering::transmittance(const Ray& ray, std::span<const double> wavelengths) const {
+  const Path path(ray, air_);
+  return Solver(atmosphere_, settings_, air_, path, wavelengths).transmittance();
 }
 
 std::vector<double> SingleScattering::sun_irradiance(const Ray& ray, std::span<const double> wavelengths) const {

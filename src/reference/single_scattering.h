@@ -13,7 +13,7 @@ struct SingleScatteringSettings {
   bool point_sun = false;   ///< all sunlight from the sun's centre, else from the disc
   double tolerance = 3e-7;  ///< a part of a ray, or of the disc, is halved until its 7- and 15-point sums differ by
                             ///< less than this share of the whole; the 15-point sums, which count, are better
-  int fineness = 1;  ///< multiplies every fixed number of nodes and parts, for refinement studies
+  int fineness = 1;         ///< multiplies every fixed number of nodes and parts, for refinement studies
 };
 
 /// Answers for one ray; each vector has one value for each wavelength.
@@ -40,6 +40,9 @@ class SingleScattering {
   /// distance
   ///                     negative, or the observer within 1 m of the planet's centre
   RayLight along(const Ray& ray, std::span<const double> wavelengths) const;
+
+  /// The transmittance alone [1], which costs next to nothing. @throws as along()
+  std::vector<double> transmittance(const Ray& ray, std::span<const double> wavelengths) const;
 
   /// Direct sunlight at the ray's observer on a plane normal to the beam [W m^-2 nm^-1].
   std::vector<double> sun_irradiance(const Ray& ray, std::span<const double> wavelengths) const;

@@ -12,7 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "reference/single_scattering.h"
-#include "yardstick.h"
+#include "validate/yardstick.h"
 
 namespace airlight {
 namespace {
@@ -35,7 +35,7 @@ TEST(YardstickRefinement, changes_less_than_1e_minus_6) {
   for (std::string text; std::getline(file, text); ++count) {
     if (count % step != 0) continue;
     const auto line = nlohmann::ordered_json::parse(text);
-    const Ray ray = accuracy::read_ray(line);
+    const Ray ray = validation::read_ray(line);
     const auto wavelengths = line.at("wavelengths").get<std::vector<double>>();
     auto& pair = solvers[line.at("atmosphere")];
     if (!pair) pair = std::make_unique<Solvers>(built_in_atmosphere(line.at("atmosphere").get<std::string>()));

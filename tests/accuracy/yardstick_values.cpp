@@ -14,7 +14,7 @@
 #include <string>
 
 #include "reference/monte_carlo.h"
-#include "yardstick.h"
+#include "validate/yardstick.h"
 
 namespace {
 
@@ -40,7 +40,7 @@ std::vector<double> short_numbers(std::vector<double> values) {
 }
 
 Json solve(const reference::MonteCarlo& solver, const Json& line) {
-  const Ray ray = accuracy::read_ray(line);
+  const Ray ray = validation::read_ray(line);
   // A ray that looks at nothing, or at a last glimmer, ends here with the error that it has.
   constexpr long most_walks = 4'000'000;
   const reference::Budget budget{.walks = most_walks,

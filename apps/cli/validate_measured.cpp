@@ -1,0 +1,180 @@
+// The part of `airlight validate` that compares with what was measured and published.
+#include <fmt/core.h>
+
+#include <cmath>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "airlight/error.h"
+#include "answers.h"
+#include "commands.h"
+#include "interrupt.h"
+#include "number.h"
+#include "options.h"
+#include "progress.h"
+#include "text_output.h"
+#include "validate.h"
+#include "validate/air_mass.h"
+#include "validate/direct_spectrum.h"
+#include "validate/illuminance.h"
+#include "validate/measured_sky.h"
+
+namespace airlight::cli {
+namespace {
+
+using namespace validation;
+using Json = nlohmann::ordered_json;
+
+/// The issue of what was asked of whom.
+struct Report {
+  Json json;
+  std::string text;
+};
+
+/// Models that know any wavelength, and random walks unless there is no time.
+std::vector<std::string> judged(const ValidateOptions& options) {
+  if (!options.models.empty()) {
+    for (const std::string& name : options.models) check_model_name(name, "--model", answering_models());
+    return options.models;
+  }
+  std::vector<std::string> names;
+  for (const ModelInfo& model : models())
+    if (!model.colours) names.emplace_back(model.name);
+  if (!options.quick) names.emplace_back("reference");
+  return names;
+}
+
+std::vector<double> flat(const std::vector<Answer>& answers) {
+  std::vector<double> values;
+  for (const Answer& answer : answers) values.insert(values.end(), answer.value.begin(), answer.value.end());
+  return values;
+}
+
+/// Of random walks: far below what instruments are worth.
+const char* const effort = R"({"target_error":0.01})";
+
+Answerers answerers_for(const Atmosphere& air) {
+  return Answerers({engine_named("simd"), [air](const std::string&) { return air; }});
+}
+
+void add_measured_sky(Report& report, const ValidateOptions& options, const std::vector<std::string>& names) {
+  const MeasuredSky sky = read_measured_sky(options.data + "/measured/measured_sky_20130527.json");
+  Answerers answerers = answerers_for(air_of_measured_sky());
+  report.text +=
+      "\nMeasured clear sky (Kider et al. 2014; air and error: data/measured/README.md), relative root mean square "
+      "error; five scans,\n"
+      "the sun from 44 to 69 degrees high. Correct scalar theory with this air: 12.6 %.\n\n"
+      "| model | all [%] | bias [%] | scan by scan [%] |\n|---|---|---|---|\n";
+  for (const std::string& name : names) {
+    const auto radiance = [&](std::span<const Ray> rays, const std::vector<double>& wavelengths) {
+      check_interrupt();
+      const std::string own = name == "reference" ? effort : "";
+      return flat(answerers.answer({"measured", name, &asked("radiance"), wavelengths, 0, own}, rays));
+    };
+    const MeasuredSkyError error = compare_with_measured_sky(sky, radiance);
+    std::string scans;
+    for (const double scan : error.scans) scans += fmt::format("{}{:.1f}", scans.empty() ? "" : ", ", 100 * scan);
+    report.text += fmt::format("| {} | {:.2f} | {:+.1f} | {} |\n", name, 100 * error.all, 100 * error.bias, scans);
+    report.json["measured_sky"].push_back(
+        {{"model", name}, {"relative_rmse", error.all}, {"bias", error.bias}, {"scans", error.scans}});
+  }
+}
+
+void add_direct_spectrum(Report& report, const ValidateOptions& options) {
+  const DirectSpectrumError error = compare_with_g173(options.data + "/measured/astm_g173.csv");
+  report.text += fmt::format(
+      "\nDirect sunlight of ASTM G173-03: `earth` with {:g} Dobson units of ozone and an aerosol of optical depth {:g} "
+      "at 500 nm and\n"
+      "exponent {:g}, {:g} air masses, times the standard's own sunlight above the air; {} wavelengths of 400 to 680 "
+      "nm without 585-600 and\n"
+      "625-635 nm (water, oxygen), the sun's surroundings not added: root mean square {:.2f} %, mean {:+.2f} %, worst "
+      "{:+.1f} % at {:g} nm.\n",
+      g173_ozone, g173_aerosol, g173_angstrom, g173_air_mass, error.count, 100 * error.rms, 100 * error.bias,
+      100 * error.worst, error.worst_wavelength);
+  report.json["direct_spectrum"] = {{"ozone", g173_ozone},
+                                    {"aerosol_optical_depth_500", g173_aerosol},
+                                    {"angstrom", g173_angstrom},
+                                    {"rms", error.rms},
+                                    {"mean", error.bias},
+                                    {"worst", error.worst},
+                                    {"worst_wavelength", error.worst_wavelength}};
+}
+
+/// "103000", "27.4", "0.000854": three digits.
+std::string lux(double value) {
+  return value < 1000 ? fmt::format("{:.3g}", value) : fmt::format("{:.0f}00", value / 100);
+}
+
+void add_illuminance(Report& report, const std::vector<std::string>& names) {
+  report.text +=
+      "\nIlluminance of level ground [lx], sunlight and skylight, clear `earth`, against Janiczek & DeYoung 1987 (U.S. "
+      "Naval Observatory\n"
+      "Circular 171): a mean over clear skies, with refraction, which here there is none of.\n\n| sun [degrees] | "
+      "published |";
+  std::string rule = "\n|---|---|";
+  std::vector<std::vector<double>> columns;
+  for (const std::string& name : names) {
+    Answerers answerers = answerers_for(built_in_atmosphere("earth"));
+    const auto level = [&](double elevation, const std::vector<double>& wavelengths) {
+      check_interrupt();
+      const Ray ray{.sun = direction(0, elevation * degree)};
+      const std::string own = name == "reference" ? effort : "";
+      // Few wavelengths share walks well: the eye's forty are asked together.
+      auto sky = flat(answerers.answer({"earth", name, &asked("sky_irradiance"), wavelengths, 0, own}, {&ray, 1}));
+      const auto sun = flat(answerers.answer({"earth", name, &asked("sun_irradiance"), wavelengths, 0}, {&ray, 1}));
+      for (std::size_t w = 0; w < sky.size(); ++w) sky[w] += sun[w] * std::max(ray.sun[2], 0.0);
+      return sky;
+    };
+    columns.push_back(illuminances(level));
+    report.text += fmt::format(" {} |", name);
+    rule += "---|";
+    report.json["illuminance"].push_back(
+        {{"model", name}, {"elevation", illuminance_elevations()}, {"lux", columns.back()}});
+  }
+  report.text += rule + '\n';
+  const std::vector<double> elevations = illuminance_elevations();
+  for (std::size_t i = 0; i < elevations.size(); ++i) {
+    const double published = published_illuminance(elevations[i]);
+    report.text += fmt::format("| {:g} | {} |", elevations[i], lux(published));
+    for (const auto& column : columns)
+      report.text += fmt::format(" {} ({:+.0f} %) |", lux(column[i]), 100 * (column[i] / published - 1));
+    report.text += '\n';
+  }
+}
+
+void add_air_mass(Report& report) {
+  report.text +=
+      "\nAir mass of the molecules of `earth`, straight rays, against formulae for light that refraction bends: Kasten "
+      "& Young 1989\n"
+      "(Applied Optics 28, 4735; the sun's elevation as seen) and Young 1994 (Applied Optics 33, 1108; without the "
+      "lift).\n\n"
+      "| elevation [degrees] | here | Kasten & Young | | Young | |\n|---|---|---|---|---|---|\n";
+  for (const AirMass& mass : air_masses()) {
+    report.text += fmt::format("| {:g} | {:.4g} | {:.4g} | {:+.2f} % | {:.4g} | {:+.2f} % |\n", mass.elevation,
+                               mass.here, mass.kasten_young, 100 * (mass.here / mass.kasten_young - 1), mass.young,
+                               100 * (mass.here / mass.young - 1));
+    report.json["air_mass"].push_back({{"elevation", mass.elevation},
+                                       {"here", mass.here},
+                                       {"kasten_young", mass.kasten_young},
+                                       {"young", mass.young}});
+  }
+}
+
+}  // namespace
+
+int validate_measured(const ValidateOptions& options) {
+  const std::vector<std::string> names = judged(options);
+  Report report;
+  add_measured_sky(report, options, names);
+  add_direct_spectrum(report, options);
+  add_illuminance(report, names);
+  add_air_mass(report);
+  std::error_code error;
+  std::filesystem::create_directories(options.folder, error);  // one that cannot be made, the first file complains of
+  write_text(options.folder + "/measured.json", report.json.dump(1) + '\n');
+  write_text(options.folder + "/measured.md", report.text);
+  if (!options.page.empty()) write_into_page(options.page, "measured", report.text);
+  return ok;
+}
+
+}  // namespace airlight::cli

@@ -1,0 +1,103 @@
+#include "validate/yardstick.h"
+
+#include <fmt/core.h>
+
+#include <fstream>
+#include <functional>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "airlight/error.h"
+
+namespace airlight::validation {
+namespace {
+
+using Json = nlohmann::ordered_json;
+constexpr double degree = std::numbers::pi / 180;
+
+Quantity quantity_named(const std::string& name) {
+  if (name == "radiance") return Quantity::radiance;
+  if (name == "path_radiance") return Quantity::path_radiance;
+  if (name == "sky_irradiance") return Quantity::sky_irradiance;
+  throw InputError("quantity = " + name + ": expected radiance, path_radiance or sky_irradiance");
+}
+
+/// @param take  is given each line; false ends
+void read_lines(const std::string& path, const std::function<bool(const Json&)>& take) {
+  std::ifstream file(path);
+  if (!file) throw InputError(fmt::format("{}: cannot be read", path));
+  int number = 0;
+  for (std::string text; std::getline(file, text);) {
+    ++number;
+    try {
+      if (!take(Json::parse(text))) return;
+    } catch (const std::exception& error) {
+      throw InputError(fmt::format("{}:{}: {}", path, number, error.what()));
+    }
+  }
+}
+
+YardstickRay question(const Json& line) {
+  YardstickRay ray;
+  ray.id = line.at("id");
+  ray.atmosphere = line.at("atmosphere");
+  ray.quantity = quantity_named(line.at("quantity"));
+  ray.sun_elevation = 90 - line.at("sun_zenith").get<double>();
+  ray.ray = read_ray(line);
+  return ray;
+}
+
+}  // namespace
+
+Ray read_ray(const Json& line) {
+  const auto towards = [&](const std::string& what) {
+    const double zenith = line.at(what + "_zenith"), azimuth = line.at(what + "_azimuth");
+    return direction(azimuth * degree, (90 - zenith) * degree);
+  };
+  Ray ray{.altitude = line.at("altitude"), .view = towards("view"), .sun = towards("sun")};
+  if (line.contains("distance")) ray.distance = line.at("distance");
+  return ray;
+}
+
+Yardstick read_yardstick(const std::string& folder, std::optional<std::size_t> first) {
+  Yardstick yardstick;
+  std::map<std::string, YardstickRay> asked;
+  read_lines(folder + "/rays.jsonl", [&](const Json& line) {
+    const auto wavelengths = line.at("wavelengths").get<std::vector<double>>();
+    if (yardstick.wavelengths.empty()) yardstick.wavelengths = wavelengths;
+    if (wavelengths != yardstick.wavelengths || wavelengths.empty())
+      throw InputError("wavelengths: expected those of the first line");
+    asked[line.at("id")] = question(line);
+    return true;
+  });
+  read_lines(folder + "/values.jsonl", [&](const Json& line) {
+    if (first && yardstick.rays.size() == *first) return false;
+    const std::string id = line.at("id");
+    if (!asked.contains(id)) throw InputError(fmt::format("id = {}: rays.jsonl has no such ray", id));
+    YardstickRay ray = asked[id];
+    line.at("value").get_to(ray.value);
+    line.at("standard_error").get_to(ray.standard_error);
+    if (ray.value.size() != yardstick.wavelengths.size() || ray.standard_error.size() != ray.value.size())
+      throw InputError(fmt::format("expected {} values, one for each wavelength", yardstick.wavelengths.size()));
+    yardstick.rays.push_back(std::move(ray));
+    return true;
+  });
+  return yardstick;
+}
+
+Yardstick at_wavelengths(const Yardstick& yardstick, const std::vector<std::size_t>& which) {
+  const auto chosen = [&](const std::vector<double>& values) {
+    std::vector<double> some;
+    for (const std::size_t w : which) some.push_back(values.at(w));
+    return some;
+  };
+  Yardstick part{chosen(yardstick.wavelengths), yardstick.rays};
+  for (YardstickRay& ray : part.rays) {
+    ray.value = chosen(ray.value);
+    ray.standard_error = chosen(ray.standard_error);
+  }
+  return part;
+}
+
+}  // namespace airlight::validation

@@ -1,0 +1,37 @@
+// The rays of data/yardstick and their light, which models are judged by.
+#pragma once
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "airlight/sky.h"
+
+namespace airlight::validation {
+
+struct YardstickRay {
+  std::string id, atmosphere;
+  Quantity quantity = Quantity::radiance;
+  double sun_elevation = 0;  ///< [degrees]
+  Ray ray;
+  std::vector<double> value, standard_error;  ///< for each wavelength, in the quantity's unit
+};
+
+struct Yardstick {
+  std::vector<double> wavelengths;  ///< [nm] of every ray
+  std::vector<YardstickRay> rays;   ///< those that have been solved, in the order in which they were
+};
+
+/// A line of rays.jsonl.
+Ray read_ray(const nlohmann::ordered_json& line);
+
+/// Reads rays.jsonl and values.jsonl.
+/// @param folder  "data/yardstick"
+/// @param first   so many lines of values.jsonl, which grows at its end; none: all
+/// @throws InputError naming file and line
+Yardstick read_yardstick(const std::string& folder, std::optional<std::size_t> first = {});
+
+/// The same at some of its wavelengths. @param which  indices
+Yardstick at_wavelengths(const Yardstick& yardstick, const std::vector<std::size_t>& which);
+
+}  // namespace airlight::validation
