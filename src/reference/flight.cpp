@@ -35,7 +35,7 @@ void Flight::aim(const Layers& layers, const Optics& optics, const Guide& guide,
   if (line_.meets_ground || line_.borders.empty()) solid_.reset();
   if (solid_) line_.meets_ground = true;
   const std::size_t heroes = optics.heroes, count = optics.constituents;
-  group();
+  group(layers.together());
   const std::size_t pieces = ends_.size() - 1;
   stride_ = pieces + 2;
   light_.assign(heroes, 0.0);
@@ -118,9 +118,8 @@ void Flight::give_each_a_share(double least) {
   add_up();
 }
 
-/// Joins the line's short stretches: what the guide knows does not change from one to the next.
-void Flight::group() {
-  constexpr std::size_t together = 4;
+/// Joins the line's short stretches.
+void Flight::group(std::size_t together) {
   ends_.assign(1, 0);
   for (std::size_t i = together; i < line_.layers.size(); i += together) ends_.push_back(i);
   if (!line_.layers.empty()) ends_.push_back(line_.layers.size());

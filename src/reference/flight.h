@@ -51,7 +51,7 @@ class Flight {
             Event& event) const;
 
  private:
-  void group();
+  void group(std::size_t together);
   void add_up();
   void find(const Layers& layers, const Optics& optics, std::size_t hero, std::size_t piece, double depth,
             Event& event) const;

@@ -56,12 +56,16 @@ void gather(const double* __restrict p0, const double* __restrict p1, const doub
 
 }  // namespace
 
-Layers::Layers(const Atmosphere& atmosphere)
-    : constituents_(int(atmosphere.constituents.size())), planet_radius_(atmosphere.planet.ground_radius) {
+Layers::Layers(const Atmosphere& atmosphere, double coarseness)
+    : constituents_(int(atmosphere.constituents.size())),
+      planet_radius_(atmosphere.planet.ground_radius),
+      together_(coarseness > 1 ? 1 : 4) {
   const double top = atmosphere.planet.top_altitude;
+  const double relative = 2e-5 * coarseness;
   std::vector<double> edges{0, top}, tolerances;
   for (const Constituent& constituent : atmosphere.constituents)
-    for (const double kink : kinks(constituent.profile, top)) edges.push_back(kink);
+    for (const double kink : kinks(constituent.profile, top))
+      if (coarseness <= 1) edges.push_back(kink);
   std::sort(edges.begin(), edges.end());
   edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
 
@@ -71,14 +75,15 @@ Layers::Layers(const Atmosphere& atmosphere)
   cubics_.resize(4 * atmosphere.constituents.size(), {0.0});
   for (std::size_t c = 0; c < atmosphere.constituents.size(); ++c) {
     const Profile& profile = atmosphere.constituents[c].profile;
-    tolerances.push_back(precision * top * mean_density(profile, 0, top));
+    tolerances.push_back(coarseness * precision * top * mean_density(profile, 0, top));
     cubics_[4 * c][0] = density(profile, 0);
   }
-  for (std::size_t i = 1; i < edges.size(); ++i) add_layers(atmosphere, edges[i - 1], edges[i], tolerances, 0);
+  for (std::size_t i = 1; i < edges.size(); ++i)
+    add_layers(atmosphere, edges[i - 1], edges[i], tolerances, relative, 0);
 }
 
 void Layers::add_layers(const Atmosphere& atmosphere, double bottom, double top, std::span<const double> tolerances,
-                        int depth) {
+                        double relative, int depth) {
   const double low = (planet_radius_ + bottom) * (planet_radius_ + bottom);
   const double high = (planet_radius_ + top) * (planet_radius_ + top);
   const auto altitude = [&](double x) {  // of x in -1..1, without the cancellation of sqrt(radius^2) - planet_radius
@@ -87,7 +92,7 @@ void Layers::add_layers(const Atmosphere& atmosphere, double bottom, double top,
     return bottom + rise / (planet_radius_ + bottom + std::sqrt(low + rise));
   };
   // Short lines in thin air need a local precision too, down to air that holds nothing.
-  constexpr double relative = 2e-5, negligible = 1e-2;
+  constexpr double negligible = 1e-2;
   // Through the four Chebyshev points, whose error is nearly the smallest of all cubics.
   const double outer = std::cos(std::numbers::pi / 8), inner = std::sin(std::numbers::pi / 8);
   const std::size_t count = atmosphere.constituents.size();
@@ -113,8 +118,8 @@ void Layers::add_layers(const Atmosphere& atmosphere, double bottom, double top,
   }
   constexpr int deepest = 16;  // a density without bounded slope: stop at 2 m of 120 km
   if (!good && depth < deepest) {
-    add_layers(atmosphere, bottom, 0.5 * (bottom + top), tolerances, depth + 1);
-    add_layers(atmosphere, 0.5 * (bottom + top), top, tolerances, depth + 1);
+    add_layers(atmosphere, bottom, 0.5 * (bottom + top), tolerances, relative, depth + 1);
+    add_layers(atmosphere, 0.5 * (bottom + top), top, tolerances, relative, depth + 1);
     return;
   }
   if (!good) {

@@ -26,8 +26,11 @@ class Layers {
  public:
   static constexpr double precision = 1e-6;
 
-  explicit Layers(const Atmosphere& atmosphere);
+  /// @param coarseness  above 1: a rough idea of the air, as much less precise, that knows nothing of sharp edges
+  explicit Layers(const Atmosphere& atmosphere, double coarseness = 1);
 
+  /// How many neighbours a flight takes together: what the guide knows does not change from one to the next.
+  std::size_t together() const { return together_; }
   int constituents() const { return constituents_; }
   int layers() const { return int(tops_.size()); }
   double planet_radius() const { return planet_radius_; }        ///< of altitude 0 [m]
@@ -48,7 +51,7 @@ class Layers {
 
  private:
   void add_layers(const Atmosphere& atmosphere, double bottom, double top, std::span<const double> tolerances,
-                  int depth);
+                  double relative, int depth);
   int layer_at(double radius_squared) const;
   const double* cubic(int constituent, int power) const { return cubics_[4 * constituent + power].data(); }
   template <class Visit>
@@ -56,6 +59,7 @@ class Layers {
 
   int constituents_;
   double planet_radius_;
+  std::size_t together_;
   std::vector<double> tops_;                 // radius^2 of each layer's top; the first reaches down from altitude 0
   std::vector<double> middles_, scales_;     // x = (radius^2 - middle) * scale, -1..1 in the layer
   std::vector<std::vector<double>> cubics_;  // for each constituent four powers of x, of all layers

@@ -17,12 +17,13 @@ using std::numbers::pi;
 WalkRules::WalkRules(const Atmosphere& atmosphere, std::span<const double> wavelengths,
                      const MonteCarloSettings& settings)
     : layers(atmosphere),
+      rough(atmosphere, 1e4),
       optics(atmosphere, wavelengths, settings.point_sun, settings.cloud.get()),
       guide(layers, optics, !settings.guided || settings.uniform_light),
       surface(settings.surface),
       cloud(settings.cloud),
       max_order(settings.max_order > 0 ? settings.max_order : std::numeric_limits<int>::max()),
-      candidates(settings.guided && !settings.uniform_light ? 3 : 1),
+      candidates(settings.guided && !settings.uniform_light ? 4 : 1),
       kept_orders(settings.kept_orders),
       uniform_light(settings.uniform_light) {
   if (cloud) validate(*cloud);
@@ -43,15 +44,15 @@ Walker::Walker(const WalkRules& rules)
 
 Flight Walker::first_flight(const WalkStart& start) const {
   Flight flight;
-  aim(flight, start, start.place, start.distance, start.first_order > 1, start.count_ground);
+  aim(flight, rules_.layers, start, start.place, start.distance, start.first_order > 1, start.count_ground);
   flight.give_each_a_share(1.0 / 16);
   return flight;
 }
 
-void Walker::aim(Flight& flight, const WalkStart& start, const Place& from, double distance, bool scattered_only,
-                 bool count_ground) const {
-  flight.aim(rules_.layers, rules_.optics, rules_.guide, rules_.surface.get(), from, start.sun, start.ground_radius,
-             distance, scattered_only, count_ground);
+void Walker::aim(Flight& flight, const Layers& layers, const WalkStart& start, const Place& from, double distance,
+                 bool scattered_only, bool count_ground) const {
+  flight.aim(layers, rules_.optics, rules_.guide, rules_.surface.get(), from, start.sun, start.ground_radius, distance,
+             scattered_only, count_ground);
 }
 
 /// Mean radiance at a place in the air, as the guide thinks.
@@ -281,11 +282,12 @@ bool Walker::turn(const WalkStart& start, int order, Random& random) {
   rules_.optics.hero_values(weights_, hero_weights_);
   for (std::size_t g = 0; g < hero_weights_.size(); ++g) hero_weights_[g] *= importance_[g];
   const std::optional<SkyAround> sky = guided ? rules_.guide.around(position_, start.sun) : std::nullopt;
+  constexpr double endless = std::numeric_limits<double>::infinity();
   double sum = 0, taken = 0;
   Vector direction{};
   for (int i = 0; i < candidates; ++i) {
     const Vector towards = draw_direction(start, sky, random);
-    aim(candidate_, start, {position_, towards}, std::numeric_limits<double>::infinity(), false, true);
+    aim(candidate_, rules_.rough, start, {position_, towards}, endless, false, true);
     const double from_cloud = cloud_light(start, candidate_, {position_, towards});
     optics.hero_values(factor_, hero_factor_);
     double promise = 0;
@@ -295,7 +297,6 @@ bool Walker::turn(const WalkStart& start, int order, Random& random) {
     if (i > 0 && !(random() * sum < promise)) continue;
     taken = promise;
     direction = towards;
-    std::swap(flight_, candidate_);
     std::swap(taken_factor_, factor_);
   }
   if (!(taken > 0) && !rules_.uniform_light) return false;
@@ -309,6 +310,7 @@ bool Walker::turn(const WalkStart& start, int order, Random& random) {
   }
   for (std::size_t w = 0; w < weights_.size(); ++w) weights_[w] *= scale * taken_factor_[w];
   direction_ = direction;
+  aim(flight_, rules_.layers, start, {position_, direction_}, endless, false, true);
   return true;
 }
 

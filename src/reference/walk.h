@@ -12,7 +12,7 @@ namespace airlight::reference {
 struct WalkRules {
   WalkRules(const Atmosphere& atmosphere, std::span<const double> wavelengths, const MonteCarloSettings& settings);
 
-  Layers layers;
+  Layers layers, rough;  ///< rough: tells directions apart by the light that they promise
   Optics optics;
   Guide guide;
   std::shared_ptr<const Surface> surface;
@@ -54,8 +54,8 @@ class Walker {
 
  private:
   void set_out(const WalkStart& start, const Flight& first, double weight);
-  void aim(Flight& flight, const WalkStart& start, const Place& from, double distance, bool scattered_only,
-           bool count_ground) const;
+  void aim(Flight& flight, const Layers& layers, const WalkStart& start, const Place& from, double distance,
+           bool scattered_only, bool count_ground) const;
   double light_at(const WalkStart& start, const Vector& position) const;
   double cloud_light(const WalkStart& start, const Flight& flight, const Place& from) const;
   bool draw_with_cloud(const WalkStart& start, const Place& from, const Flight& flight, double hero, double where,
