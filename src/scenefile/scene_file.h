@@ -32,7 +32,7 @@ struct Scene {
   LandSettings
       land;  ///< files with their paths as this process finds them; the planet's radius is that of the air's planet
   bool has_land = false;  ///< false: neither files nor relief, a bare sphere
-  double detail = 1.5;    ///< wanted side of a triangle [pixels]
+  double detail = 2;      ///< wanted side of a triangle [pixels]
   SurfaceSettings surface;
   ScenePicture picture;
   std::map<std::string, Parameters, std::less<>> parameters;  ///< of published systems, by model
