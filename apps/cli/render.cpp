@@ -5,10 +5,12 @@
 #include <memory>
 
 #include "commands.h"
+#include "interrupt.h"
 #include "number_option.h"
 #include "progress.h"
 #include "scene_render.h"
 #include "scenefile/animation.h"
+#include "spectral_colours.h"
 
 namespace airlight::cli {
 namespace {
@@ -18,6 +20,11 @@ struct RenderOptions {
   std::vector<std::string> outputs;
   double frames_per_second = 24;
   ScenePictureOptions picture;
+  std::string wavelengths = "4", sensor;
+  bool spectral = false;
+
+  /// More than the picture of real time.
+  bool keeps_wavelengths() const { return spectral || wavelengths != "4" || !sensor.empty(); }
 };
 
 std::optional<int> frame_of(const RenderOptions& options) {
@@ -31,22 +38,60 @@ Scene scene_of(const RenderOptions& options, std::optional<int> frame) {
   return load_animation(options.scene, options.frames_per_second).frame(*frame).scene;
 }
 
+/// One picture for each four wavelengths, woven together.
+void paint_spectrum(const RenderOptions& options, const Scene& scene, const std::shared_ptr<const Land>& land,
+                    const SceneShot& shot, SpectralColours& colours, PictureOutputs& files) {
+  const std::size_t W = colours.wavelengths().size(), row = std::size_t(shot.width()) * W;
+  std::vector<float> values(row * std::size_t(shot.height()));
+  Progress progress("render");
+  for (std::size_t w = 0; w < W; w += 4) {
+    std::vector<double> quad;
+    for (std::size_t k = 0; k < 4; ++k) quad.push_back(colours.wavelengths()[std::min(w + k, W - 1)]);
+    const SceneShot four(scene, land, engine_named(options.picture.engine), !options.picture.no_sun, quad);
+    std::size_t pixel = 0;
+    const bool whole = four.spectral_rows([&](int end, std::span<const float> radiance) {
+      for (std::size_t i = 0; i < radiance.size(); i += 4, ++pixel)
+        for (std::size_t k = 0; k < 4 && w + k < W; ++k) values[pixel * W + w + k] = radiance[i + k];
+      progress.show((double(w) + 4.0 * end / shot.height()) / double(W));
+      return !interrupted();
+    });
+    if (!whole) throw Interrupted{};
+  }
+  check_interrupt();
+  for (int y = 0; y < shot.height(); ++y)
+    colours.write(files, y, y + 1, std::span(values).subspan(std::size_t(y) * row, row));
+  files.finish();
+}
+
 int run_render(const RenderOptions& options) {
   const auto started = std::chrono::steady_clock::now();
+  const std::vector<double> wavelengths = picture_wavelengths(options.wavelengths);
   const std::vector<Layer> layers = options.picture.layers();
   const std::optional<int> frame = frame_of(options);
   Scene scene = scene_of(options, frame);
   options.picture.apply(scene);
-  const PictureFormat format = options.picture.format(scene);
+  PictureFormat format = options.picture.format(scene);
   // Everything that can be wrong is found before a file is touched.
-  const SceneShot shot(scene, std::make_shared<const Land>(scene.land), engine_named(options.picture.engine),
-                       !options.picture.no_sun);
+  const auto land = std::make_shared<const Land>(scene.land);
+  const SceneShot shot(scene, land, engine_named(options.picture.engine), !options.picture.no_sun);
   const std::string engine = describe(shot.sky().engine());
   Metadata metadata = shot.metadata();
   metadata.push_back({"engine", engine});
   if (frame) metadata.push_back({"frame", double(*frame)});
+  std::optional<SpectralColours> colours;
+  if (options.keeps_wavelengths()) {
+    colours.emplace(shot.sky(), wavelengths, options.sensor, options.spectral);
+    std::string list;
+    for (const double wavelength : colours->wavelengths())
+      list += fmt::format("{}{:g}", list.empty() ? "" : " ", wavelength);
+    metadata.push_back({"wavelengths [nm]", list});
+    colours->describe(metadata);
+    format.layers = colours->channels();
+  }
   PictureOutputs files(options.outputs, shot.width(), shot.height(), format, metadata);
-  {
+  if (colours) {
+    paint_spectrum(options, scene, land, shot, *colours, files);
+  } else {
     Progress progress("render");
     shot.paint(files, layers, [&](double fraction) { progress.show(fraction); });
   }
@@ -85,6 +130,8 @@ void add_render(CLI::App& app, Command& chosen) {
              "frames a second, of key frames that are given by times")
       ->needs(frame);
   options->picture.add_to(render);
+  for (CLI::Option* option : add_spectral_options(render, options->wavelengths, options->spectral, options->sensor))
+    option->excludes("--aov");
   render.callback([options, &chosen] { chosen = [options] { return run_render(*options); }; });
 }
 

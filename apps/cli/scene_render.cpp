@@ -88,8 +88,9 @@ const Sky& able_to_shade(const Sky& sky, const Scene& scene, const PlacedCamera&
   return sky;
 }
 
-SceneOptions scene_options(const Scene& scene, bool sun_disc) {
+SceneOptions scene_options(const Scene& scene, bool sun_disc, const std::vector<double>& wavelengths) {
   SceneOptions how;
+  how.wavelengths = wavelengths;
   how.samples = scene.picture.samples;
   how.air_shadows = scene.picture.air_shadows;
   how.soft_shadows = scene.picture.soft_shadows;
@@ -182,7 +183,7 @@ PictureFormat ScenePictureOptions::format(const Scene& scene) const {
 }
 
 SceneShot::SceneShot(const Scene& scene, std::shared_ptr<const Land> land, std::shared_ptr<Engine> engine,
-                     bool sun_disc)
+                     bool sun_disc, const std::vector<double>& wavelengths)
     : sun_(sun_place(scene, *land)),
       sky_(make_sky(scene, sun_, std::move(engine))),
       placed_(place_camera(scene.camera, *land)),
@@ -192,7 +193,8 @@ SceneShot::SceneShot(const Scene& scene, std::shared_ptr<const Land> land, std::
       samples_(scene.picture.samples) {
   if (!draws_sky_alone(scene)) {
     renderer_ = std::make_unique<SceneRenderer>(able_to_shade(sky_, scene, placed_, sun_), land, scene.surface,
-                                                SceneView{placed_, sun_.direction()}, scene_options(scene, sun_disc));
+                                                SceneView{placed_, sun_.direction()},
+                                                scene_options(scene, sun_disc, wavelengths));
     width_ = renderer_->width();
   }
   metadata_ = {{"Software", version()},
@@ -218,6 +220,17 @@ bool SceneShot::rows(const std::function<bool(int end, std::span<const float> rg
                        for (std::size_t i = 0; i < rgba.size(); i += 4) rgb.insert(rgb.end(), &rgba[i], &rgba[i + 3]);
                        return take(end, rgb);
                      });
+}
+
+bool SceneShot::spectral_rows(const std::function<bool(int end, std::span<const float> radiance)>& take) const {
+  if (!renderer_) throw InputError(fmt::format("--wavelengths: model {} draws in red, green and blue", sky_.model()));
+  std::vector<float> radiance;
+  return renderer_->render([&](const SceneRows& rows) {
+    radiance.resize(rows.spectral_surface.size());
+    for (std::size_t i = 0; i < radiance.size(); ++i)
+      radiance[i] = rows.spectral_surface[i] * rows.spectral_transmittance[i] + rows.spectral_inscatter[i];
+    return take(rows.end, radiance);
+  });
 }
 
 void SceneShot::paint_sky(PictureOutputs& files, const std::function<void(double)>& progress) const {

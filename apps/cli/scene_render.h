@@ -43,8 +43,10 @@ struct ScenePictureOptions {
 /// One picture of a scene, made ready: all that can be wrong with the scene has been said.
 class SceneShot {
  public:
-  /// @param scene  with its options applied
-  SceneShot(const Scene& scene, std::shared_ptr<const Land> land, std::shared_ptr<Engine> engine, bool sun_disc);
+  /// @param scene        with its options applied
+  /// @param wavelengths  [nm] the four that land's light is computed at; empty: those of real time
+  SceneShot(const Scene& scene, std::shared_ptr<const Land> land, std::shared_ptr<Engine> engine, bool sun_disc,
+            const std::vector<double>& wavelengths = {});
   SceneShot(const SceneShot&) = delete;  // the renderer knows where the sky lives
   SceneShot& operator=(const SceneShot&) = delete;
 
@@ -61,6 +63,9 @@ class SceneShot {
   /// The picture's rows from top to bottom up to `end`, linear sRGB [cd/m^2], three numbers a pixel; false stops.
   /// @returns false when stopped
   bool rows(const std::function<bool(int end, std::span<const float> rgb)>& take) const;
+  /// The same as radiance [W m^-2 sr^-1 nm^-1] at the four wavelengths, four numbers a pixel.
+  /// @throws InputError where the model answers in colours
+  bool spectral_rows(const std::function<bool(int end, std::span<const float> radiance)>& take) const;
   /// Renders into files. @param progress  is told how much is done, 0 .. 1. @throws Interrupted
   void paint(PictureOutputs& files, const std::vector<Layer>& layers,
              const std::function<void(double)>& progress) const;

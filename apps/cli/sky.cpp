@@ -16,6 +16,7 @@
 #include "options.h"
 #include "picture_outputs.h"
 #include "progress.h"
+#include "spectral_colours.h"
 #ifdef AIRLIGHT_WITH_REFERENCE
 #include "reference_sky.h"
 #endif
@@ -32,7 +33,8 @@ struct SkyOptions {
   std::string projection = "equirectangular", size, exposure, tone, wavelengths = "4";
   double altitude = 2, azimuth = 0, target_error = 0.01;
   std::optional<double> elevation, field_of_view;
-  bool full_float = false, no_sun = false;
+  bool full_float = false, no_sun = false, spectral = false;
+  std::string sensor;
 };
 
 constexpr int cube_faces = 6;
@@ -59,23 +61,6 @@ Camera make_camera(const SkyOptions& options) {
   camera.elevation = options.elevation.value_or(lens.elevation) * degree;
   camera.field_of_view = field_of_view * degree;
   return camera;
-}
-
-/// "4": the model's own; 8, 16, 40: centres of equal bins of 380 .. 780 nm; or first:last:step, a multiple of four.
-std::vector<double> picture_wavelengths(const std::string& text) {
-  if (text == "4") return {};
-  for (const int count : {8, 16, 40})
-    if (text == std::to_string(count)) {
-      const double step = 400.0 / count;
-      return parse_wavelengths(fmt::format("{}:{}:{}", 380 + step / 2, 780 - step / 2, step), "--wavelengths");
-    }
-  if (text.find(':') == std::string::npos)
-    throw InputError(fmt::format("--wavelengths = {}: expected 4, 8, 16, 40 or first:last:step in nm", text));
-  auto wavelengths = parse_wavelengths(text, "--wavelengths");
-  if (wavelengths.size() % 4 != 0)
-    throw InputError(
-        fmt::format("--wavelengths = {}: {} wavelengths; expected a multiple of 4", text, wavelengths.size()));
-  return wavelengths;
 }
 
 Metadata make_metadata(const SkyOptions& options, const Sky& sky, const Camera& camera, const SunPlace& sun,
@@ -110,20 +95,23 @@ Metadata make_metadata(const SkyOptions& options, const Sky& sky, const Camera& 
   return metadata;
 }
 
-using Strip = std::function<bool(int begin, int end, std::span<const float> rgba)>;
+using Strip = std::function<bool(int begin, int end, std::span<const float> values)>;
+/// Draws what one camera sees, strip by strip.
+using Draw = std::function<bool(const Camera& camera, const Strip& strip)>;
 
 /// The six faces side by side; they come one after the other and are woven into rows here.
-bool render_cube(const Sky& sky, Camera camera, Direction sun, const PictureOptions& picture, const Strip& strip,
+bool render_cube(const Draw& draw, Camera camera, std::size_t channels, const Strip& strip,
                  const std::function<bool(double)>& go_on) {
-  const std::size_t face_row = std::size_t(camera.width) * 4, row = face_row * cube_faces;
+  const std::size_t face_row = std::size_t(camera.width) * channels, row = face_row * cube_faces;
   std::vector<float> whole(row * camera.height);
   for (camera.face = 0; camera.face < cube_faces; ++camera.face) {
-    const auto weave = [&](int begin, int end, std::span<const float> rgba) {
+    const auto weave = [&](int begin, int end, std::span<const float> values) {
       for (int y = begin; y < end; ++y)
-        std::copy_n(rgba.begin() + (y - begin) * face_row, face_row, whole.begin() + y * row + camera.face * face_row);
+        std::copy_n(values.begin() + (y - begin) * face_row, face_row,
+                    whole.begin() + y * row + camera.face * face_row);
       return go_on((camera.face + double(end) / camera.height) / cube_faces);
     };
-    if (!sky.render(camera, sun, picture, weave)) return false;
+    if (!draw(camera, weave)) return false;
   }
   return strip(0, camera.height, whole);
 }
@@ -178,7 +166,13 @@ int run_sky(const SkyOptions& options) {
                             options.tone.empty() ? own->tone : options.tone, options.full_float);
 
   const bool cube = camera.projection == Projection::cube;
-  const Metadata metadata = make_metadata(options, sky, camera, sun, picture.wavelengths);
+  Metadata metadata = make_metadata(options, sky, camera, sun, picture.wavelengths);
+  std::optional<SpectralColours> spectral;
+  if (options.spectral || !options.sensor.empty()) {
+    spectral.emplace(sky, picture.wavelengths, options.sensor, options.spectral);
+    spectral->describe(metadata);
+    format.layers = spectral->channels();
+  }
   PictureOutputs files(options.outputs, camera.width * (cube ? cube_faces : 1), camera.height, format, metadata);
 
   {
@@ -187,12 +181,19 @@ int run_sky(const SkyOptions& options) {
       progress.show(fraction);
       return !interrupted();
     };
-    const auto write = [&](int begin, int end, std::span<const float> rgba) {
-      files.write(begin, end, rgba);
+    const auto write = [&](int begin, int end, std::span<const float> values) {
+      if (spectral)
+        spectral->write(files, begin, end, values);
+      else
+        files.write(begin, end, values);
       return go_on(double(end) / camera.height);
     };
-    const bool whole = cube ? render_cube(sky, camera, sun.direction(), picture, write, go_on)
-                            : sky.render(camera, sun.direction(), picture, write);
+    const auto draw = [&](const Camera& one, const Strip& strip) {
+      return spectral ? sky.render_spectral(one, sun.direction(), picture, strip)
+                      : sky.render(one, sun.direction(), picture, strip);
+    };
+    const std::size_t channels = spectral ? spectral->wavelengths().size() : 4;
+    const bool whole = cube ? render_cube(draw, camera, channels, write, go_on) : draw(camera, write);
     if (!whole) throw Interrupted{};
     check_interrupt();
   }
@@ -254,11 +255,8 @@ void add_sky(CLI::App& app, Command& chosen) {
   sky.add_flag("--float", options->full_float, "32-bit .exr in place of half floats, which end at 65504 cd/m2")
       ->group(picture);
   sky.add_flag("--no-sun", options->no_sun, "leave the sun's disc out")->group(picture);
-  sky.add_option(
-         "--wavelengths", options->wavelengths,
-         "4 (the model's own), 8, 16, 40 (bins of 380 .. 780 nm), or first:last:step [nm], a multiple of 4 (default 4)")
-      ->group(picture)
-      ->type_name("LIST");
+  for (CLI::Option* option : add_spectral_options(sky, options->wavelengths, options->spectral, options->sensor))
+    option->group(picture);
   add_number(sky, "--target-error", options->target_error, {1e-4, 1, ""},
              "--model reference: walk until the median pixel's standard error / luminance is below (default 0.01)")
       ->group(picture);

@@ -42,6 +42,10 @@ void add_validate(CLI::App& app, Command& chosen) {
       ->type_name("NAME");
   validate.add_flag("--measured", options->measured,
                     "compare with measured and published values instead; with --quick without random walks");
+  validate
+      .add_flag("--spectrum", options->spectrum,
+                "colours of 3, 4, 8 and 16 wavelengths against 40 instead, and the best four with their matrix")
+      ->excludes("--measured");
   validate.add_option("--data", options->data, "folder of Airlight's data (default data)")->type_name("DIR");
   validate
       .add_option("--against", options->against,
@@ -50,7 +54,8 @@ void add_validate(CLI::App& app, Command& chosen) {
   validate.add_option("--page", options->page, "page (Markdown) whose part between marks is written anew")
       ->type_name("FILE");
   validate.callback([options, &chosen] {
-    chosen = [options] { return options->measured ? validate_measured(*options) : validate_ledger(*options); };
+    const auto part = options->measured ? validate_measured : options->spectrum ? validate_spectrum : validate_ledger;
+    chosen = [options, part] { return part(*options); };
   });
 }
 

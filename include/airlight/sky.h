@@ -35,7 +35,8 @@ enum class Quantity {
 struct PictureOptions {
   bool sun_disc = true;
   std::vector<double>
-      wavelengths;  ///< [nm]; empty: the four of real time. Else a multiple of four at equal spacing, accumulated to XYZ
+      wavelengths;  ///< [nm], increasing; empty: the four of real time. Others are run four at a time and accumulated
+                    ///< to XYZ; best at equal spacing
 };
 
 /// A point in an observer's view, or the sky behind everything.
@@ -117,6 +118,11 @@ class Sky {
   /// @returns      false when stopped
   bool render(const Camera& camera, Direction sun, const PictureOptions& options,
               const std::function<bool(int begin, int end, std::span<const float> rgba)>& strip) const;
+
+  /// The same picture as spectral radiance [W m^-2 sr^-1 nm^-1]: pixel after pixel, W values each, in the order of the wavelengths.
+  /// @throws InputError also where the model answers in colours
+  bool render_spectral(const Camera& camera, Direction sun, const PictureOptions& options,
+                       const std::function<bool(int begin, int end, std::span<const float> values)>& strip) const;
 
   /// The four wavelengths [nm] of real time.
   std::array<double, 4> realtime_wavelengths() const;

@@ -2,45 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <sstream>
-#include <string>
 
 #include "airlight/sky.h"
 #include "optics/shipped_data.h"
+#include "optics/solve_four.h"
 
 namespace airlight {
 namespace {
 
 constexpr double luminous_efficacy = 683;  // lm/W, by definition
 
-struct Observer {
-  std::vector<double> wavelengths;  // 360 .. 830 nm, 1 nm
-  std::vector<Xyz> curves;
-};
-
-// The standard's 5 nm table, linear between, at 1 nm.
-const Observer& observer() {
-  static const Observer standard = [] {
-    std::istringstream csv{std::string(shipped_text("cie_1931_2deg.csv"))};
-    std::string line;
-    std::getline(csv, line);  // names
-    std::vector<std::array<double, 4>> rows;
-    for (std::array<double, 4> r;
-         std::getline(csv, line) && std::sscanf(line.c_str(), "%lf,%lf,%lf,%lf", &r[0], &r[1], &r[2], &r[3]) == 4;)
-      rows.push_back(r);
-    Observer o;
-    for (std::size_t i = 0; i + 1 < rows.size(); ++i) {
-      const auto &a = rows[i], &b = rows[i + 1];
-      const int steps = int(std::lround(b[0] - a[0]));
-      for (int k = 0; k < steps + (i + 2 == rows.size()); ++k) {
-        const double t = double(k) / steps;
-        o.wavelengths.push_back(a[0] + k);
-        o.curves.push_back({a[1] + t * (b[1] - a[1]), a[2] + t * (b[2] - a[2]), a[3] + t * (b[3] - a[3])});
-      }
-    }
-    return o;
-  }();
+const Response& observer() {
+  static const Response standard =
+      parse_response_csv(shipped_text("cie_1931_2deg.csv"), "cie_1931_2deg.csv").scaled(luminous_efficacy);
   return standard;
 }
 
@@ -50,15 +24,15 @@ void add(Xyz& sum, const Xyz& v, double f) {
 
 // Weights of samples between which shape-relative radiance is linear (constant beyond the ends).
 template <class Shape>
-std::vector<Xyz> hat_weights(std::span<const double> wavelengths, const Shape& shape) {
+std::vector<Xyz> hat_weights(std::span<const double> wavelengths, const Shape& shape,
+                             const Response& eye = observer()) {
   std::vector<Xyz> weights(wavelengths.size(), Xyz{});
-  const Observer& eye = observer();
   for (std::size_t i = 0; i < eye.wavelengths.size(); ++i) {
     const double w = eye.wavelengths[i], trapezoid = i == 0 || i + 1 == eye.wavelengths.size() ? 0.5 : 1;
     const auto upper = std::ranges::upper_bound(wavelengths, w);
     const auto share = [&](std::size_t k, double part) {
       const double there = shape(wavelengths[k]);
-      if (there > 0) add(weights[k], eye.curves[i], luminous_efficacy * trapezoid * part * shape(w) / there);
+      if (there > 0) add(weights[k], eye.curves[i], trapezoid * part * shape(w) / there);
     };
     if (upper == wavelengths.begin())
       share(0, 1);
@@ -74,29 +48,9 @@ std::vector<Xyz> hat_weights(std::span<const double> wavelengths, const Shape& s
   return weights;
 }
 
-// Solves the symmetric positive definite system of four equations by Cholesky's method.
-std::array<double, 4> solve(std::array<std::array<double, 4>, 4> a, std::array<double, 4> b) {
-  for (std::size_t i = 0; i < 4; ++i) {
-    for (std::size_t j = 0; j <= i; ++j) {
-      double s = a[i][j];
-      for (std::size_t k = 0; k < j; ++k) s -= a[i][k] * a[j][k];
-      a[i][j] = i == j ? std::sqrt(std::max(s, 1e-300)) : s / a[j][j];
-    }
-  }
-  for (std::size_t i = 0; i < 4; ++i) {
-    for (std::size_t k = 0; k < i; ++k) b[i] -= a[i][k] * b[k];
-    b[i] /= a[i][i];
-  }
-  for (std::size_t i = 4; i-- > 0;) {
-    for (std::size_t k = i + 1; k < 4; ++k) b[i] -= a[k][i] * b[k];
-    b[i] /= a[i][i];
-  }
-  return b;
-}
-
 // Spectra (1 nm, over the observer's range) that sunlight takes on its ways through the air.
 std::vector<std::vector<double>> family(const Atmosphere& atmosphere) {
-  const Observer& eye = observer();
+  const Response& eye = observer();
   const std::size_t n = eye.wavelengths.size();
   const double top = atmosphere.planet.top_altitude;
   std::vector<double> sun(n), depth(n, 0), absorbed(n, 0), albedo(n);
@@ -143,14 +97,14 @@ std::vector<std::vector<double>> family(const Atmosphere& atmosphere) {
 }
 
 std::vector<Xyz> fitted_weights(const Atmosphere& atmosphere, std::span<const double> wavelengths) {
-  const Observer& eye = observer();
+  const Response& eye = observer();
   std::array<std::array<double, 4>, 4> normal{};
   std::array<std::array<double, 4>, 3> right{};
   for (const auto& spectrum : family(atmosphere)) {
     Xyz colour{};
     std::array<double, 4> sample{};
     for (std::size_t i = 0; i < spectrum.size(); ++i) {
-      add(colour, eye.curves[i], luminous_efficacy * spectrum[i]);
+      add(colour, eye.curves[i], spectrum[i]);
       for (std::size_t k = 0; k < 4; ++k) {
         // Linear between the 1 nm points.
         const double apart = std::abs(eye.wavelengths[i] - wavelengths[k]);
@@ -171,7 +125,7 @@ std::vector<Xyz> fitted_weights(const Atmosphere& atmosphere, std::span<const do
     normal[i][i] += 1e-9 * trace;  // spectra of a gray planet do not tell the four apart
   std::vector<Xyz> weights(4);
   for (std::size_t c = 0; c < 3; ++c) {
-    const auto column = solve(normal, right[c]);
+    const Four column = solve_four(normal, right[c]);
     for (std::size_t k = 0; k < 4; ++k) weights[k][c] = column[k];
   }
   return weights;
@@ -179,9 +133,15 @@ std::vector<Xyz> fitted_weights(const Atmosphere& atmosphere, std::span<const do
 
 }  // namespace
 
+std::vector<Xyz> response_weights(const Atmosphere& atmosphere, std::span<const double> wavelengths,
+                                  const Response& response) {
+  return hat_weights(
+      wavelengths, [&](double w) { return atmosphere.sun.irradiance.at(w); }, response);
+}
+
 std::vector<Xyz> colour_weights(const Atmosphere& atmosphere, std::span<const double> wavelengths) {
   if (wavelengths.size() == 4) return fitted_weights(atmosphere, wavelengths);
-  return hat_weights(wavelengths, [&](double w) { return atmosphere.sun.irradiance.at(w); });
+  return response_weights(atmosphere, wavelengths, observer());
 }
 
 std::array<double, 3> xyz_to_srgb(const Xyz& v) {

@@ -5,10 +5,9 @@
 #include <vector>
 
 #include "airlight/atmosphere.h"
+#include "optics/response.h"
 
 namespace airlight {
-
-using Xyz = std::array<double, 3>;
 
 /// Weights [cd m^-2 / (W m^-2 sr^-1 nm^-1)] W x (X, Y, Z) such that the sum of weight times spectral radiance at the wavelengths is
 /// the colour, for light that passed this atmosphere.
@@ -17,6 +16,11 @@ using Xyz = std::array<double, 3>;
 /// over a family of spectra that sunlight takes on its ways through this air (direct through 0 to 40 air masses, scattered by
 /// each constituent, reflected by the ground), which the absorption bands and the sun's own lines make better than any fixed rule.
 std::vector<Xyz> colour_weights(const Atmosphere& atmosphere, std::span<const double> wavelengths);
+
+/// The same for a sensor in place of the eye: its three channels [W m^-2 sr^-1 times the response's unit]. Radiance relative to the sun's
+/// spectrum is taken as linear between the wavelengths, however many.
+std::vector<Xyz> response_weights(const Atmosphere& atmosphere, std::span<const double> wavelengths,
+                                  const Response& response);
 
 /// Linear sRGB (IEC 61966-2-1 primaries, D65) of XYZ.
 std::array<double, 3> xyz_to_srgb(const Xyz& xyz);

@@ -85,6 +85,7 @@ struct SceneRenderer::Impl {
         sun_at_eye(v.camera.from_scene(v.sun)),
         terrain(land, level_of_detail(v.camera, o.triangle_pixels)),
         wavelengths([&] {
+          if (!o.wavelengths.empty()) return o.wavelengths;
           const auto quad = s.realtime_wavelengths();
           return std::vector<double>(quad.begin(), quad.end());
         }()),

@@ -23,8 +23,9 @@ struct SceneOptions {
   bool air_shadows = true;   ///< land casts shadows into the air
   bool soft_shadows = true;  ///< on the ground, by the Sun's size
   bool sun_disc = true;
-  double triangle_pixels = 2;  ///< wanted side of a triangle
-  ShadowGrid shadow_grid;      ///< centred on the eye; its middle is not used
+  double triangle_pixels = 2;            ///< wanted side of a triangle
+  std::vector<double> wavelengths = {};  ///< [nm] the four that light is computed at; empty: those of real time
+  ShadowGrid shadow_grid;                ///< centred on the eye; its middle is not used
   int shadow_steps =
       32;  ///< points on a view ray where shadows are looked for; twice as many where a pixel has several samples
 };

@@ -77,6 +77,20 @@ struct Sky::Impl {
   void answer(Quantity quantity, std::span<const Ray> rays, std::span<const std::size_t> which,
               std::span<const double> wavelengths, const Model& m, const Put& put);
 
+  /// One run of a picture's pass: four wavelengths, and what a unit of each adds to the three channels.
+  struct Draw {
+    const PassInfo* pass;
+    std::vector<double> parameters;
+    std::vector<Table> inputs;
+  };
+  Draw draw_for(const Camera& camera, const Direction& to_sun, bool sun_disc, const Quad& quad,
+                const std::array<std::array<double, 3>, 4>& weights);
+  /// Runs them over one strip after the other; `drawn` is given each, `strip` told when all are, and stops by false.
+  /// @param channels  numbers of a pixel that are kept
+  bool draw_strips(const Camera& camera, std::span<const Draw> draws, std::size_t channels,
+                   const std::function<void(std::size_t draw, std::span<const float> rgba)>& drawn,
+                   const std::function<bool(int begin, int end)>& strip);
+
   // The map of shadows as a table. A picture is asked for in many parts, with one map: it is looked at once.
   struct Cast {
     std::shared_ptr<const std::vector<float>> edges;

@@ -43,6 +43,37 @@ TEST(Pictures, metadata_say_how_they_were_made) {
     EXPECT_NE(picture.header.find(text), std::string::npos) << text << " in\n" << picture.header;
 }
 
+TEST(Pictures, spectral_channels_are_named_by_their_wavelengths) {
+  const Picture picture = sky({"--sun-elevation", "20", "--size", "16", "--wavelengths", "360:830:10", "--spectral"});
+  EXPECT_EQ(picture.layers.size(), 3u + 48);
+  for (const char* name : {"S0.360nm", "S0.550nm", "S0.830nm"}) ASSERT_TRUE(picture.layers.contains(name)) << name;
+  const std::size_t zenith = 8;  // of the first row
+  EXPECT_GT(picture.layers.at("S0.450nm")[zenith], 2 * picture.layers.at("S0.700nm")[zenith]);
+  EXPECT_NE(picture.header.find("spectralLayoutVersion = 1.0"), std::string::npos) << picture.header;
+  // With the eye in between: the same picture as without the channels, but for half floats.
+  const Picture plain = sky({"--sun-elevation", "20", "--size", "16", "--wavelengths", "360:830:10"});
+  for (std::size_t i = 0; i < plain.rgb.size(); ++i)
+    EXPECT_NEAR(picture.rgb[i], plain.rgb[i], 2e-3f * std::abs(plain.rgb[i]) + 1e-3f);
+  // Fractions take a comma: a point would begin a layer.
+  EXPECT_TRUE(
+      sky({"--sun-elevation", "20", "--size", "8", "--wavelengths", "16", "--spectral"}).layers.contains("S0.392,5nm"));
+}
+
+TEST(Pictures, a_sensor_takes_the_eyes_place) {
+  const Folder folder;
+  // Channels that see one band each, and the third nothing.
+  write_file(folder / "camera.csv", "nm,r,g,b\n600,1,0,0\n640,1,0,0\n641,0,0,0\n");
+  const Outcome outcome = run(folder, {"sky", "--sun-elevation", "20", "--size", "8", "--wavelengths", "590:650:10",
+                                       "--spectral", "--sensor", "camera.csv", "--float", "-o", "a.exr"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const Picture picture = read_picture(folder / "a.exr");
+  EXPECT_NE(picture.header.find("camera.csv"), std::string::npos);
+  // 40 nm wide, and half a nanometre at its falling edge; light changes by a few percent over it.
+  EXPECT_NEAR(picture.rgb[0], 40.5f * picture.layers.at("S0.620nm")[0], 0.04f * picture.rgb[0]);
+  EXPECT_EQ(picture.rgb[1], 0);
+  EXPECT_EQ(picture.rgb[2], 0);
+}
+
 TEST(Pictures, sizes_that_are_not_said_follow_the_projection) {
   const auto size = [](std::vector<std::string> more) {
     more.insert(more.end(), {"--sun-elevation", "30", "--no-sun"});

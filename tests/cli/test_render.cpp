@@ -79,6 +79,28 @@ TEST(Render, spectral_layers_make_the_pictures_colours) {
   }
 }
 
+TEST(Render, any_wavelengths_are_woven_of_pictures_of_four) {
+  const Folder folder;
+  write_file(folder / "scene.toml", scene_text);
+  const auto draw = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), {"render", "scene.toml", "--samples", "1", "--float", "-o", "a.exr"});
+    const Outcome outcome = run(folder, more);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    return read_picture(folder / "a.exr");
+  };
+  // The four of real time are the picture of real time; among more they stay what they are.
+  const Picture plain = draw({}), four = draw({"--wavelengths", "445,515,565,635", "--spectral"}),
+                six = draw({"--wavelengths", "445,515,565,635,700,720", "--spectral"});
+  EXPECT_EQ(six.layers.size(), 3u + 6);
+  for (std::size_t i = 0; i < plain.rgb.size(); ++i) {
+    const float size =
+        std::abs(plain.rgb[i - i % 3]) + std::abs(plain.rgb[i - i % 3 + 1]) + std::abs(plain.rgb[i - i % 3 + 2]);
+    ASSERT_NEAR(four.rgb[i], plain.rgb[i], 1e-5f * size);  // sums of floats, by large weights
+  }
+  for (const char* name : {"S0.445nm", "S0.635nm"}) EXPECT_EQ(four.layers.at(name), six.layers.at(name)) << name;
+  EXPECT_GT(six.layers.at("S0.700nm")[0], six.layers.at("S0.720nm")[0]);  // the blue sky at its red end
+}
+
 TEST(Render, chosen_layers_alone_are_written) {
   const Folder folder;
   write_file(folder / "scene.toml", scene_text);

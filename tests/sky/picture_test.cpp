@@ -117,6 +117,55 @@ TEST(Picture, agrees_with_rays_asked_one_by_one) {
   }
 }
 
+TEST(Picture, of_any_wavelengths_is_the_sum_of_its_spectral_channels) {
+  const Sky sky(built_in_atmosphere("earth"));
+  const Direction sun = toward(77, 5);
+  for (const std::size_t count : {3u, 4u, 6u, 48u}) {
+    PictureOptions options;
+    for (std::size_t w = 0; w < count; ++w) options.wavelengths.push_back(360 + 470.0 * double(w) / double(count - 1));
+    const auto weights = colour_weights(sky.atmosphere(), options.wavelengths);
+    const Camera camera = panorama(40, 300);
+    const auto pixels = draw(sky, camera, sun, options);
+    std::vector<float> spectra;
+    sky.render_spectral(camera, sun, options, [&](int, int, std::span<const float> values) {
+      spectra.insert(spectra.end(), values.begin(), values.end());
+      return true;
+    });
+    ASSERT_EQ(spectra.size(), pixels.size() / 4 * count);
+    for (std::size_t i = 0; i < pixels.size() / 4; ++i) {
+      std::array<double, 3> rgb{};
+      double size = 0;  // of what is added and taken away
+      for (std::size_t w = 0; w < count; ++w) {
+        const auto one = xyz_to_srgb(weights[w]);
+        for (std::size_t c = 0; c < 3; ++c) {
+          rgb[c] += one[c] * double(spectra[i * count + w]);
+          size += std::abs(one[c] * double(spectra[i * count + w]));
+        }
+      }
+      // Sums of floats.
+      for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(double(pixels[4 * i + c]), rgb[c], 3e-6 * size) << count;
+    }
+  }
+}
+
+TEST(Picture, keeps_each_wavelength_in_its_place) {
+  // Blue is scattered most: by day the zenith's radiance relative to the sun's falls steadily.
+  const Sky sky(built_in_atmosphere("earth"));
+  PictureOptions options{.sun_disc = false, .wavelengths = {}};
+  for (int w = 420; w <= 700; w += 40) options.wavelengths.push_back(w);
+  Camera camera = fisheye(3);
+  std::vector<float> middle;
+  sky.render_spectral(camera, toward(0, 30), options, [&](int, int, std::span<const float> values) {
+    middle.assign(values.begin() + 4 * 8, values.begin() + 5 * 8);
+    return true;
+  });
+  for (std::size_t w = 1; w < 8; ++w) {
+    const Spectrum& sun = sky.atmosphere().sun.irradiance;
+    EXPECT_LT(double(middle[w]) / sun.at(options.wavelengths[w]),
+              double(middle[w - 1]) / sun.at(options.wavelengths[w - 1]));
+  }
+}
+
 TEST(Picture, does_not_switch_visibly_where_tables_give_way_to_marching) {
   const Sky sky(built_in_atmosphere("earth"));
   const double limit = 0.3 * sky.atmosphere().planet.top_altitude;
