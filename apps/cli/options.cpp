@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cstdlib>
 
 #include "airlight/error.h"
 #include "airlight/sky.h"
@@ -123,6 +124,14 @@ void MachineOptions::add_to(CLI::App& app, const std::vector<std::string_view>& 
   add_engine(app, engine);
 }
 
+/// Where tables that take long to make are kept between runs; empty: nowhere.
+static std::string table_folder() {
+  if (const char* folder = std::getenv("AIRLIGHT_CACHE")) return folder;
+  if (const char* folder = std::getenv("XDG_CACHE_HOME"); folder && *folder) return std::string(folder) + "/airlight";
+  if (const char* folder = std::getenv("HOME"); folder && *folder) return std::string(folder) + "/.cache/airlight";
+  return {};
+}
+
 void add_engine(CLI::App& app, std::string& engine) {
   app.add_option("--engine", engine, fmt::format("{} (default {})", join(engines), engine))
       ->group(machine_group)
@@ -137,9 +146,12 @@ void MachineOptions::check_model() const { check_model_name(model, "--model", mo
 
 std::shared_ptr<Engine> MachineOptions::make() const { return engine_named(engine); }
 
-std::shared_ptr<Engine> engine_named(const std::string& engine) {
-  check_name(engine, "--engine", engines);
-  return make_engine(engine);
+std::shared_ptr<Engine> engine_named(const std::string& name) {
+  check_name(name, "--engine", engines);
+  auto engine = make_engine(name);
+  engine->keep_on_disk(table_folder(),
+                       [](const std::string& message) { fmt::print(stderr, "airlight: {}\n", message); });
+  return engine;
 }
 
 std::string describe(const Engine& engine) { return fmt::format("{} ({})", engine.name(), engine.device()); }

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <span>
@@ -52,6 +53,17 @@ class Engine {
   std::vector<Table> run_once(const PassInfo& pass, std::span<const double> parameters, std::span<const Table> inputs,
                               Shape shape);
 
+  /// Tables that take long to make, by many passes: what is kept under a hash of the name, the parameters and the inputs, in memory or
+  /// on disk, else what `make` returns.
+  std::vector<Table> make_once(std::string_view name, std::span<const double> parameters, std::span<const Table> inputs,
+                               const std::function<std::vector<Table>()>& make);
+
+  /// Keeps what make_once() makes in files of a folder too, from one run of a program to the next. A file that is damaged, or was made
+  /// by another version, is made anew.
+  /// @param folder   made when it is first needed; empty: nothing is kept on disk, as before the first call
+  /// @param message  told what is amiss with a file, in a sentence; may be empty
+  void keep_on_disk(std::string folder, std::function<void(const std::string&)> message);
+
   /// Runs a pass over rows [begin, end) of a picture and writes RGBA floats; nothing is kept.
   /// @param rgba  (end - begin) * width * 4 values
   void draw(const PassInfo& pass, std::span<const double> parameters, std::span<const Table> inputs, Shape shape,
@@ -83,8 +95,11 @@ class Engine {
     std::uint64_t used = 0;
   };
   void keep(std::uint64_t key, std::vector<Table> tables);
+  const std::vector<Table>* find_kept(std::uint64_t key);
 
   std::map<std::uint64_t, Kept> kept_;
+  std::string folder_;
+  std::function<void(const std::string&)> message_;
   std::size_t kept_texels_ = 0;
   std::map<std::string, long, std::less<>> runs_;
   std::uint64_t clock_ = 0;

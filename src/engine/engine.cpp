@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <bit>
 #include <cassert>
+#include <cstdio>
 
 #include "airlight/error.h"
 #include "engine/cpu/cpu_engine.h"
 #include "engine/kernel_index.h"
+#include "engine/table_file.h"
 #ifdef AIRLIGHT_HAS_GL
 #include "engine/gl/gl_engine.h"
 #endif
@@ -46,6 +48,44 @@ class Hash {
   std::uint64_t state_ = 0x9e3779b97f4a7c15u;
 };
 
+std::uint64_t key_of(std::string_view name, Shape shape, std::span<const double> parameters,
+                     std::span<const Table> inputs) {
+  Hash hash;
+  hash.add(name);
+  hash.add(shape);
+  hash.add(parameters);
+  for (const Table& t : inputs) hash.add(t.hash);
+  return hash.value();
+}
+
+std::uint64_t numbered(std::uint64_t key, std::size_t i) {
+  Hash hash;
+  hash.add(key);
+  hash.add(i);
+  return hash.value();
+}
+
+/// The kernels as they stand: what another version of them made is not theirs.
+std::uint64_t hash_of_kernels() {
+  Hash hash;
+  for (const KernelGroup& group : kernel_groups()) {
+    for (const KernelSource* source : group.sources) hash.add(source->text);
+  }
+  return hash.value();
+}
+
+TableFile table_file(const std::string& folder, std::string_view what, std::string_view engine, std::uint64_t key) {
+  static const std::uint64_t kernels = hash_of_kernels();
+  Hash hash;
+  hash.add(key);
+  hash.add(kernels);
+  hash.add(engine);
+  char digits[17];
+  std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(hash.value()));
+  return {std::filesystem::path(folder) / (std::string(what) + '-' + digits + ".tables"), hash.value(),
+          engine == "double" ? 8 : 4};
+}
+
 // Tables of a moving sun come and go: what was not used for longest goes first. 512 MB of float texels: the tables of 40
 // wavelengths for dozens of observers.
 constexpr std::size_t kept_limit = 32u << 20;
@@ -58,10 +98,7 @@ Table Engine::upload(Shape shape, std::span<const double> rgba) {
   hash.add("upload");
   hash.add(shape);
   hash.add(rgba);
-  if (const auto found = kept_.find(hash.value()); found != kept_.end()) {
-    found->second.used = ++clock_;
-    return found->second.tables.front();
-  }
+  if (const auto* kept = find_kept(hash.value())) return kept->front();
   Table table{shape, hash.value(), make_table(shape, rgba)};
   keep(hash.value(), {table});
   return table;
@@ -83,31 +120,61 @@ void Engine::keep(std::uint64_t key, std::vector<Table> tables) {
   kept_[key] = {std::move(tables), ++clock_};
 }
 
+const std::vector<Table>* Engine::find_kept(std::uint64_t key) {
+  const auto found = kept_.find(key);
+  if (found == kept_.end()) return nullptr;
+  found->second.used = ++clock_;
+  return &found->second.tables;
+}
+
+void Engine::keep_on_disk(std::string folder, std::function<void(const std::string&)> message) {
+  folder_ = std::move(folder);
+  message_ = std::move(message);
+}
+
+std::vector<Table> Engine::make_once(std::string_view what, std::span<const double> parameters,
+                                     std::span<const Table> inputs, const std::function<std::vector<Table>()>& make) {
+  const std::uint64_t key = key_of(what, {}, parameters, inputs);
+  if (const auto* kept = find_kept(key)) return *kept;
+  std::vector<Table> tables;
+  if (folder_.empty()) {
+    tables = make();
+  } else {
+    const TableFile file = table_file(folder_, what, name(), key);
+    std::string trouble;
+    if (const auto stored = file.read(trouble)) {
+      for (const TableFile::Values& t : *stored) tables.push_back({t.shape, 0, make_table(t.shape, t.rgba)});
+    } else {
+      if (!trouble.empty() && message_) message_(trouble);
+      tables = make();
+      std::vector<TableFile::Values> values;
+      for (const Table& t : tables) {
+        values.push_back({t.shape, std::vector<double>(4 * t.shape.texels())});
+        read(t, values.back().rgba);
+      }
+      trouble = file.write(values);
+      if (!trouble.empty() && message_) message_(trouble);
+    }
+  }
+  for (std::size_t i = 0; i < tables.size(); ++i) tables[i].hash = numbered(key, i);
+  keep(key, tables);
+  return tables;
+}
+
 std::vector<Table> Engine::run(const PassInfo& pass, std::span<const double> parameters, std::span<const Table> inputs,
                                Shape shape) {
   assert(inputs.size() == pass.tables.size());
-  Hash hash;
-  hash.add(pass.name);
-  hash.add(shape);
-  hash.add(parameters);
-  for (const Table& t : inputs) hash.add(t.hash);
-  if (const auto found = kept_.find(hash.value()); found != kept_.end()) {
-    found->second.used = ++clock_;
-    return found->second.tables;
-  }
+  const std::uint64_t key = key_of(pass.name, shape, parameters, inputs);
+  if (const auto* kept = find_kept(key)) return *kept;
   std::vector<Table> tables;
-  for (auto& storage : run_pass(pass, parameters, inputs, shape)) {
-    Hash own;
-    own.add(hash.value());
-    own.add(tables.size());
-    tables.push_back({shape, own.value(), std::move(storage)});
-  }
+  for (auto& storage : run_pass(pass, parameters, inputs, shape))
+    tables.push_back({shape, numbered(key, tables.size()), std::move(storage)});
   const auto count = runs_.find(pass.name);
   if (count == runs_.end())
     runs_.emplace(pass.name, 1);
   else
     ++count->second;
-  keep(hash.value(), tables);
+  keep(key, tables);
   return tables;
 }
 

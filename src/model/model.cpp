@@ -9,8 +9,9 @@
 namespace airlight {
 
 std::span<const Model> all_models() {
-  static const std::vector<Model> models{single_model(), skyview_model(), hoffman_preetham_model(), codeflow_model(),
-                                         jetlag_model(), rama_model(),    realworldz_model()};
+  static const std::vector<Model> models{
+      single_model(),   skyview_model(), precomputed_model(), hoffman_preetham_model(),
+      codeflow_model(), jetlag_model(),  rama_model(),        realworldz_model()};
   return models;
 }
 

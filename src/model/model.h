@@ -2,7 +2,9 @@
 // arguments (docs/architecture.md).
 #pragma once
 #include <functional>
+#include <limits>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -40,6 +42,14 @@ struct HostTable {
   std::vector<double> rgba;
 };
 
+/// Light of all orders of scattering as passes: `light` that reaches the places of a lattice makes a `source` there and falls on the
+/// ground (`ground_light`), and of these two comes the light of the next order. What answers is `source` and `ground_light` of the sum.
+struct OrderPasses {
+  TablePass first_light, next_light, source, ground_light;
+  std::string_view sum;     ///< of `light` and `others`
+  std::string_view closed;  ///< `light_sum` with the orders still to come, as `light` and `light_before` let expect
+};
+
 struct Model {
   std::string_view name;
   std::string_view summary;
@@ -51,6 +61,9 @@ struct Model {
   std::function<std::string_view(const Situation&)>
       haze;  ///< the pass for points in view, with shadows; empty: `rays`, without
   std::function<Fields(std::string_view argument, const Situation&)> fields;  ///< the model's own parameter structs
+  std::optional<OrderPasses> orders = {};
+  double greatest_optical_depth =
+      std::numeric_limits<double>::infinity();  ///< vertical; beyond it the model refuses an air
 
   // ---- published systems ----
   std::string_view sun = "core.sun_irradiance";  ///< answers sunlight for rays; empty: the system does not say
@@ -73,6 +86,7 @@ const Model& find_model(std::string_view name);
 Model codeflow_model();
 Model hoffman_preetham_model();
 Model jetlag_model();
+Model precomputed_model();
 Model rama_model();
 Model realworldz_model();
 Model single_model();

@@ -186,4 +186,15 @@ BakedAir bake(const Atmosphere& atmosphere, const Quad& wavelengths, double datu
   return air;
 }
 
+Quad vertical_optical_depth(const BakedAir& air) {
+  Quad depth{};
+  const std::size_t zones = std::size_t(air.zones.shape.width), texels_per_zone = std::size_t(air.profile.shape.width) / zones;
+  for (std::size_t i = 0; i < zones * texels_per_zone; ++i) {
+    const double* zone = &air.zones.rgba[4 * (i / texels_per_zone)];
+    // Two texels a cell: each stands for half of it.
+    for (std::size_t k = 0; k < 4; ++k) depth[k] += air.profile.rgba[4 * i + k] * (zone[1] - zone[0]) / double(texels_per_zone);
+  }
+  return depth;
+}
+
 }  // namespace airlight

@@ -27,6 +27,9 @@ struct BakedAir {
 
 using Quad = std::array<double, 4>;  ///< wavelengths [nm]
 
+/// Vertical optical depth of the whole air at each of the four wavelengths.
+Quad vertical_optical_depth(const BakedAir& air);
+
 /// @param datum  altitude [m] <= 0 that the kernels take as 0: below the ground sphere the air of altitude 0 continues
 /// @throws InputError for more than one smooth and three peaked phase functions, or wavelengths outside the data.
 BakedAir bake(const Atmosphere& atmosphere, const Quad& wavelengths, double datum, const BakeOptions& options);

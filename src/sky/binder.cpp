@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "airlight/error.h"
+#include "sky/orders.h"
 
 namespace airlight {
 namespace {
@@ -41,6 +42,12 @@ std::vector<double> Binder::parameters(const PassInfo& pass, Shape shape) const 
 
 Table Binder::table(std::string_view argument, const PassInfo& reader) const {
   if (const auto set = tables_.find(argument); set != tables_.end()) return set->second;
+  if (model_.orders) {
+    const TablePass* const summed[] = {&model_.orders->source, &model_.orders->ground_light};
+    for (std::size_t i = 0; i < 2; ++i) {
+      if (kernel_pass(summed[i]->pass).outputs[0] == argument) return orders()[i];
+    }
+  }
   for (const TablePass& made : model_.tables) {
     const PassInfo& pass = kernel_pass(made.pass);
     const auto output = std::ranges::find(pass.outputs, argument);
@@ -53,6 +60,20 @@ Table Binder::table(std::string_view argument, const PassInfo& reader) const {
   }
   unbound(model_, "pass " + std::string(reader.name) + ": no pass of model " + std::string(model_.name) +
                       " makes table " + std::string(argument));
+}
+
+std::vector<Table> Binder::orders() const {
+  const OrderPasses& passes = *model_.orders;
+  std::vector<double> parameters;
+  std::vector<Table> inputs;
+  for (const std::string_view name : {passes.first_light.pass, passes.source.pass}) {
+    const PassInfo& pass = kernel_pass(name);
+    for (const double number : this->parameters(pass, {})) parameters.push_back(number);
+    for (const ArgumentInfo& argument : pass.tables) {
+      if (argument.name != "light") inputs.push_back(table(argument.name, pass));
+    }
+  }
+  return engine_.make_once("orders", parameters, inputs, [&] { return sum_orders(*this, passes); });
 }
 
 std::vector<Table> Binder::inputs(const PassInfo& pass) const {

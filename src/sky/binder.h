@@ -31,8 +31,14 @@ class Binder {
   /// Runs a pass over questions that will not be asked again.
   std::vector<Table> run_once(std::string_view pass, Shape shape) const;
 
+  /// The same, of a pass whose shape decides on its own.
+  std::vector<Table> run_once(const TablePass& made) const { return run_once(made.pass, made.shape_for(situation_)); }
+
+  Engine& engine() const { return engine_; }
+
  private:
   Table table(std::string_view argument, const PassInfo& reader) const;
+  std::vector<Table> orders() const;  // what Model::orders sums up to, kept by the engine
 
   Engine& engine_;
   const Model& model_;

@@ -4,10 +4,12 @@
 #include <map>
 #include <tuple>
 
+#include "airlight/error.h"
 #include "airlight/sky.h"
 #include "engine/kernel_index.h"
 #include "model/model.h"
 #include "optics/bake.h"
+#include "optics/number_text.h"
 #include "sky/binder.h"
 
 namespace airlight {
@@ -50,8 +52,19 @@ struct Sky::Impl {
     if (const auto found = baked.find(key); found != baked.end()) return found->second;
     if (baked.size() > 64) baked.clear();  // observers below the ground sphere each have a datum of their own
     BakedAir b = bake(atmosphere, quad, datum, m.air);
+    check_optical_depth(m, quad, vertical_optical_depth(b));
     const auto upload = [&](const BakedTable& t) { return engine->upload(t.shape, t.rgba); };
     return baked[key] = {std::move(b.numbers), upload(b.zones), upload(b.profile), upload(b.phases)};
+  }
+
+  void check_optical_depth(const Model& m, const Quad& quad, const Quad& depth) const {
+    for (std::size_t k = 0; k < quad.size(); ++k) {
+      if (depth[k] <= m.greatest_optical_depth) continue;
+      throw InputError("atmosphere '" + atmosphere.name + "': vertical optical depth " + number_text(depth[k]) +
+                       " at " + number_text(quad[k]) + " nm: expected at most " +
+                       number_text(m.greatest_optical_depth) + " for model " + std::string(m.name) +
+                       "; reference, or the approximate skyview, take denser air");
+    }
   }
 
   Situation situation(double altitude, double datum) const {

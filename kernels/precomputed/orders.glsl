@@ -1,0 +1,157 @@
+#pragma once
+#include "precomputed/scattered.glsl"
+// Order by order: the light that reaches the lattice's places, what the air and the ground there make of it, and what of that
+// reaches the places next.
+
+/// Altitude [m] of a row of `light`, the direction that its light comes from and the Sun's zenith cosine.
+/// @param uv [1] in 0..1
+/// @bound 1 scale 1e30   on the border of two rows engines may choose either: compared as part of the passes
+FN Float precomputed_light_place(IN(Air) air, IN(Lattice) lattice, Vec2 uv, OUT(Vec3) view, OUT(Float) mu_s) {
+  Scalar directions = lattice.rings * lattice.sectors;
+  Float row = floor(uv.y * directions * lattice.altitudes);
+  Float band = floor((row + 0.5) * (1.0 / directions));
+  Float altitude = precomputed_altitude(air, lattice, band);
+  Float solid_angle = Float(0.0);
+  view = precomputed_direction(lattice, row - band * directions, mu_horizon(air.ground_radius, altitude), solid_angle);
+  mu_s = precomputed_sun(from_half_texel(uv.x, lattice.suns));
+  return altitude;
+}
+/// The Sun with this zenith cosine, over the x axis [1].
+/// @param mu_s [1] in -1..1
+FN Vec3 precomputed_sun_direction(Float mu_s) { return Vec3(sqrt(max((1.0 - mu_s) * (1.0 + mu_s), 0.0)), Float(0.0), mu_s); }
+
+/// What the phase functions towards the Sun (u), one a component, sum up to over the directions at an altitude (v) [1]: 1 but for
+/// what the directions miss of their peaks.
+FN Vec4 precomputed_peaks_pass(IN(Air) air, IN(Lattice) lattice, Table2 phases, Vec2 uv) {
+  Float altitude = precomputed_altitude(air, lattice, floor(uv.y * lattice.altitudes));
+  Float horizon = mu_horizon(air.ground_radius, altitude);
+  Vec3 sun = precomputed_sun_direction(precomputed_sun(from_half_texel(uv.x, lattice.suns)));
+  Vec4 sum = Vec4(0.0);
+  int count = int(lattice.rings * lattice.sectors);
+  for (int i = 0; i < count; ++i) {
+    Float solid_angle = Float(0.0);
+    Float x = sqrt(0.5 * one_minus_cos(precomputed_direction(lattice, Float(i), horizon, solid_angle), sun));
+    solid_angle = 2.0 * solid_angle;
+    sum.x = sum.x + lookup_row(phases, x, 0).x * solid_angle;
+    if (air.classes > 1.5) sum.y = sum.y + lookup_row(phases, x, 1).x * solid_angle;
+    if (air.classes > 2.5) sum.z = sum.z + lookup_row(phases, x, 2).x * solid_angle;
+    if (air.classes > 3.5) sum.w = sum.w + lookup_row(phases, x, 3).x * solid_angle;
+  }
+  return max(sum, 1.0e-3);
+}
+
+/// Light of the first order that reaches the lattice's places, per solar irradiance [1/sr].
+FN Vec4 precomputed_first_light_pass(IN(Air) air, IN(Lattice) lattice, Table2 zones, Table2 profile, Table2 phases, Table2 sunlight, Table2 peaks, Vec2 uv) {
+  Vec3 view = Vec3(Float(0.0), Float(0.0), Float(1.0));
+  Float mu_s = Float(0.0);
+  Float altitude = precomputed_light_place(air, lattice, uv, view, mu_s);
+  Vec3 sun = precomputed_sun_direction(mu_s);
+  Float reach = Float(0.0);
+  Float whole = Float(0.0);
+  Bool hits = reach > 1.0;
+  Vec4 at = meet_air(air, altitude, view, sun, Float(1.0e30), reach, whole, hits);
+  Vec4 class0 = Vec4(0.0);
+  Vec4 class1 = Vec4(0.0);
+  Vec4 class2 = Vec4(0.0);
+  Vec4 class3 = Vec4(0.0);
+  Vec4 diffuse = Vec4(0.0);
+  Vec4 depth = Vec4(0.0);
+  gather_light(air, 1, zones, profile, sunlight, sunlight, at, reach, class0, class1, class2, class3, diffuse, depth);
+  // Peaks between two directions would be missed or counted twice: all of them carry what they should.
+  Vec4 peak = fetch(peaks, floor(uv.x * lattice.suns), floor(uv.y * lattice.altitudes));
+  Vec4 light = apply_phases(air, phases, one_minus_cos(view, sun), class0 * (1.0 / peak.x), class1 * (1.0 / peak.y), class2 * (1.0 / peak.z), class3 * (1.0 / peak.w));
+  return light + select(hits, ground_radiance(air, sunlight, sunlight, 1, at, reach) * exp(-depth), Vec4(0.0));
+}
+
+/// Light of the next order that reaches the lattice's places, per solar irradiance [1/sr].
+FN Vec4 precomputed_next_light_pass(IN(Air) air, IN(Lattice) lattice, Table2 zones, Table2 profile, Table3 source, Table2 ground_light, Vec2 uv) {
+  Vec3 view = Vec3(Float(0.0), Float(0.0), Float(1.0));
+  Float mu_s = Float(0.0);
+  Float altitude = precomputed_light_place(air, lattice, uv, view, mu_s);
+  Float reach = Float(0.0);
+  Float whole = Float(0.0);
+  Bool hits = reach > 1.0;
+  Vec4 at = meet_air(air, altitude, view, precomputed_sun_direction(mu_s), Float(1.0e30), reach, whole, hits);
+  Vec4 depth = Vec4(0.0);
+  Vec4 light = precomputed_gather(air, lattice, zones, profile, source, at, reach, depth);
+  return light + select(hits, precomputed_ground(air, ground_light, at, reach) * exp(-depth), Vec4(0.0));
+}
+
+/// Scattering coefficient of a phase class at an altitude [1/m].
+FN Vec4 precomputed_scattering(IN(Air) air, Table2 zones, Table2 profile, Float altitude, int row) {
+  Vec4 found = Vec4(0.0);
+  int count = int(air.zones);
+  for (int i = 0; i < count; ++i) {
+    Scalar4 zone = fetch_scalar(zones, i, 0);
+    found = select(altitude >= zone.x, lookup_cell(profile, profile_cell(air, zone, altitude), row), found);
+  }
+  return found;
+}
+
+/// -ln of what the air sends into a direction, per solar irradiance and scattering coefficient [1/sr], of light that reaches it.
+FN Vec4 precomputed_source_pass(IN(Air) air, IN(Lattice) lattice, Table2 zones, Table2 profile, Table2 phases, Table2 light, Vec3 uvw) {
+  Float row = floor(uvw.y * lattice.zeniths * lattice.altitudes);
+  Float band = floor((row + 0.5) * (1.0 / lattice.zeniths));
+  Float zenith = (row - band * lattice.zeniths) * (3.14159265358979 / (lattice.zeniths - 1.0));
+  Float azimuth = from_half_texel(uvw.z, lattice.azimuths) * 3.14159265358979;
+  Float across = sin(zenith);
+  Vec3 sent = Vec3(across * cos(azimuth), across * sin(azimuth), cos(zenith));
+  Float altitude = precomputed_altitude(air, lattice, band);
+  Float horizon = mu_horizon(air.ground_radius, altitude);
+  // Where nothing scatters, as class 0 would.
+  Vec4 share0 = precomputed_scattering(air, zones, profile, altitude, 1) + Vec4(1.0e-25);
+  Vec4 share1 = Vec4(0.0);
+  Vec4 share2 = Vec4(0.0);
+  Vec4 share3 = Vec4(0.0);
+  if (air.classes > 1.5) share1 = precomputed_scattering(air, zones, profile, altitude, 2);
+  if (air.classes > 2.5) share2 = precomputed_scattering(air, zones, profile, altitude, 3);
+  if (air.classes > 3.5) share3 = precomputed_scattering(air, zones, profile, altitude, 4);
+  Vec4 whole = Vec4(1.0) / (share0 + share1 + share2 + share3);
+  share0 = share0 * whole;
+  share1 = share1 * whole;
+  share2 = share2 * whole;
+  share3 = share3 * whole;
+  Float column = floor(uvw.x * lattice.suns);
+  Float first = band * (lattice.rings * lattice.sectors);
+  int count = int(lattice.rings * lattice.sectors);
+  Vec4 sum = Vec4(0.0);
+  Vec4 sum_of_weights = Vec4(0.0);
+  for (int i = 0; i < count; ++i) {
+    Float solid_angle = Float(0.0);
+    Vec3 view = precomputed_direction(lattice, Float(i), horizon, solid_angle);
+    // Light that comes from where one looks goes the other way: no scattering is "forward".
+    Float x = sqrt(0.5 * one_minus_cos(view, sent));
+    Float mirrored = sqrt(0.5 * one_minus_cos(Vec3(view.x, -view.y, view.z), sent));
+    Vec4 weight = share0 * (lookup_row(phases, x, 0) + lookup_row(phases, mirrored, 0));
+    if (air.classes > 1.5) weight = weight + share1 * (lookup_row(phases, x, 1) + lookup_row(phases, mirrored, 1));
+    if (air.classes > 2.5) weight = weight + share2 * (lookup_row(phases, x, 2) + lookup_row(phases, mirrored, 2));
+    if (air.classes > 3.5) weight = weight + share3 * (lookup_row(phases, x, 3) + lookup_row(phases, mirrored, 3));
+    weight = weight * solid_angle;
+    sum = sum + weight * fetch(light, column, first + Float(i));
+    sum_of_weights = sum_of_weights + weight;
+  }
+  return -ln4(max(sum / sum_of_weights, 1.0e-30));
+}
+
+/// -ln of the light that falls on the ground, per solar irradiance [1]: one row over the Suns.
+FN Vec4 precomputed_ground_light_pass(IN(Lattice) lattice, Table2 light, Vec2 uv) {
+  Float column = floor(uv.x * lattice.suns);
+  int count = int(0.5 * lattice.rings * lattice.sectors);
+  Vec4 sum = Vec4(0.0);
+  for (int i = 0; i < count; ++i) {
+    Float solid_angle = Float(0.0);
+    Vec3 view = precomputed_direction(lattice, Float(i), Float(0.0), solid_angle);
+    sum = sum + fetch(light, column, Float(i)) * (2.0 * solid_angle * view.z);
+  }
+  return -ln4(max(sum, 1.0e-30));
+}
+
+/// Sum of two tables.
+FN Vec4 precomputed_sum_pass(Table2 light, Table2 others, Vec2 uv) { return fetch_same(light, uv) + fetch_same(others, uv); }
+
+/// The sum with all orders that are still to come: each the same part of the one before, as the last was.
+FN Vec4 precomputed_closed_pass(Table2 light_sum, Table2 light, Table2 light_before, Vec2 uv) {
+  Vec4 last = fetch_same(light, uv);
+  Vec4 ratio = clamp(last / max(fetch_same(light_before, uv), 1.0e-30), 0.0, 0.9);
+  return fetch_same(light_sum, uv) + last * ratio / (Vec4(1.0) - ratio);
+}

@@ -1,0 +1,70 @@
+// The fast solver that converges: light of the first order is marched along each ray, the other orders come from a lattice of
+// altitudes, Suns and directions, summed one by one (docs/models/precomputed.md). What it leaves out: polarisation, refraction, shadows
+// of land in the air; peaks of the second order that are sharper than its directions.
+#include "model/model.h"
+
+namespace airlight {
+namespace {
+
+struct Sizes {
+  int suns, altitudes, rings, sectors, zeniths, azimuths;
+};
+
+/// `full` is what docs/accuracy.md judges; `draft` answers at once, for tests and for a first look.
+Sizes sizes(const Situation& situation) {
+  if (situation.parameters && situation.parameters->word("detail") == "draft") return {20, 10, 8, 4, 8, 5};
+  return {64, 24, 20, 10, 20, 10};
+}
+
+TablePass sized(std::string_view pass, Shape (*shape)(const Sizes&)) {
+  return {.pass = pass, .shape = {}, .sized = [shape](const Situation& s) { return shape(sizes(s)); }};
+}
+
+Shape shape_of_light(const Sizes& s) { return {s.suns, s.altitudes * s.rings * s.sectors}; }
+Shape shape_of_source(const Sizes& s) { return {s.suns, s.altitudes * s.zeniths, s.azimuths}; }
+
+Fields fields(std::string_view argument, const Situation& situation) {
+  if (argument != "lattice") return {};
+  const Sizes s = sizes(situation);
+  return {{"suns", {double(s.suns)}},       {"altitudes", {double(s.altitudes)}}, {"rings", {double(s.rings)}},
+          {"sectors", {double(s.sectors)}}, {"zeniths", {double(s.zeniths)}},     {"azimuths", {double(s.azimuths)}}};
+}
+
+}  // namespace
+
+Model precomputed_model() {
+  return {
+      .name = "precomputed",
+      .summary =
+          "all orders of scattering, converged: the first marched, the others from tables; any planet, ground to space",
+      .air = {.zones = 24, .substeps = 1},
+      .tables = {{"core.optical_depth", {512, 128}},
+                 {"core.sunlight", {512, 128}},
+                 sized("precomputed.peaks",
+                       [](const Sizes& s) {
+                         return Shape{s.suns, s.altitudes};
+                       })},
+      .rays = "precomputed.rays",
+      .sky_light = "precomputed.sky_light",
+      .picture = [](const Situation&) -> std::string_view { return "precomputed.picture"; },
+      .haze = [](const Situation&) -> std::string_view { return ""; },
+      .fields = fields,
+      .orders = OrderPasses{.first_light = sized("precomputed.first_light", shape_of_light),
+                            .next_light = sized("precomputed.next_light", shape_of_light),
+                            .source = sized("precomputed.source", shape_of_source),
+                            .ground_light = sized("precomputed.ground_light",
+                                                  [](const Sizes& s) {
+                                                    return Shape{s.suns, 1};
+                                                  }),
+                            .sum = "precomputed.sum",
+                            .closed = "precomputed.closed"},
+      .greatest_optical_depth = 2,
+      .parameters = {{.name = "detail",
+                      .kind = ParameterInfo::Kind::word,
+                      .text = "of the tables: draft answers at once, and is no more accurate than skyview",
+                      .words = {"full", "draft"},
+                      .otherwise = "full"}},
+  };
+}
+
+}  // namespace airlight
