@@ -13,6 +13,7 @@
 #include "image/contact_sheet.h"
 #include "image/tone.h"
 #include "interrupt.h"
+#include "model/model.h"
 #include "number.h"
 #include "number_option.h"
 #include "optics/colour.h"
@@ -38,6 +39,7 @@ struct Result {
   int width = 0, height = 0;
   std::vector<float> rgb;       ///< linear sRGB [cd/m^2]
   double ready = 0, drawn = 0;  ///< processor time until the first pixel, land included, and for the pixels [s]
+  double scale = 1;             ///< that brought a published system's relative colours to the yardstick's sky
   Metadata metadata;
   struct Error {
     double median = 0, mean = 0, most = 0, worst = 0;  ///< of luminance, relative: most is the 95th percentile
@@ -89,6 +91,22 @@ Result::Error error_of(const Result& result, const Result& yardstick, const std:
           colour.empty() ? 0 : quantile(colour, 0.5)};
 }
 
+/// Brings a picture in relative colours to the yardstick's brightness: the geometric mean of the sky's luminance, which the Sun's disc hardly
+/// moves, becomes the same. A black sky stays as it is.
+void scale_to(const Result& yardstick, const std::vector<char>& sky, Result& result) {
+  double sum = 0, count = 0;
+  for (std::size_t i = 0; i < sky.size(); ++i) {
+    const double a = luminance(pixel(result, i)), b = luminance(pixel(yardstick, i));
+    if (!(sky[i] && a > 0 && b > 0)) continue;
+    sum += std::log(b / a);
+    ++count;
+  }
+  if (count == 0) return;
+  result.scale = std::exp(sum / count);
+  for (float& v : result.rgb) v = float(double(v) * result.scale);
+  result.metadata.push_back({"scaled to the yardstick's sky by", result.scale});
+}
+
 BytePicture developed(const Result& result, double exposure_ev, ToneCurve curve) {
   BytePicture picture{result.width, result.height, std::vector<std::uint8_t>(result.rgb.size())};
   const auto row = 3 * std::size_t(result.width);
@@ -110,9 +128,11 @@ BytePicture difference_map(const Result& result, const std::vector<double>& diff
   return picture;
 }
 
+/// @param sky  which pixels are sky: found for the first model, the yardstick
 /// @throws InputError where the model cannot draw the scene
 Result draw(const Scene& scene, const std::string& model, const std::shared_ptr<const Land>& land,
-            const std::string& engine, bool sun_disc, Progress& progress, double from, double to) {
+            const std::string& engine, bool sun_disc, std::vector<char>& sky, Progress& progress, double from,
+            double to) {
   Scene own = scene;
   own.picture.model = model;
   Result result;
@@ -130,6 +150,7 @@ Result draw(const Scene& scene, const std::string& model, const std::shared_ptr<
   });
   if (!whole) throw Interrupted{};
   result.drawn = processor_time() - start - result.ready;
+  if (sky.empty()) sky = shot.sky_pixels();
   return result;
 }
 
@@ -144,10 +165,12 @@ Chosen chosen_models(const CompareOptions& options) {
   check_model_name(options.yardstick, "--yardstick", model_names());
   chosen.names.push_back(options.yardstick);
   std::vector<std::string> named;
-  if (chosen.all)
-    for (const ModelInfo& info : models()) named.emplace_back(info.name);
-  else
+  if (chosen.all) {
+    for (const Model& model : all_models())
+      if (model.under_the_sun) named.emplace_back(model.name);
+  } else {
     for (const std::string_view name : comma_separated(options.models)) named.emplace_back(name);
+  }
   for (const std::string& name : named) {
     if (!chosen.all) check_model_name(name, "--models", model_names());
     if (name != options.yardstick) {
@@ -165,7 +188,8 @@ std::string percent(double part) { return fmt::format("{:.2f}", 100 * part); }
 void write_tables(const std::string& folder, const std::vector<Result>& results) {
   const std::vector<std::string> head{"model",          "median error [%]",    "95 % of pixels within [%]",
                                       "worst [%]",      "mean difference [%]", "median colour difference [u'v']",
-                                      "ready [CPU-ms]", "picture [CPU-ms]",    "a pixel [CPU-ns]"};
+                                      "ready [CPU-ms]", "picture [CPU-ms]",    "a pixel [CPU-ns]",
+                                      "scaled by"};
   std::string csv, markdown, rule;
   for (std::size_t i = 0; i < head.size(); ++i) {
     csv += (i ? "," : "") + head[i];
@@ -183,7 +207,8 @@ void write_tables(const std::string& folder, const std::vector<Result>& results)
                                        fmt::format("{:.4f}", r.error.colour),
                                        fmt::format("{:.0f}", 1e3 * r.ready),
                                        fmt::format("{:.0f}", 1e3 * r.drawn),
-                                       fmt::format("{:.0f}", 1e9 * r.drawn / (double(r.width) * r.height))};
+                                       fmt::format("{:.0f}", 1e9 * r.drawn / (double(r.width) * r.height)),
+                                       fmt::format("{:.4g}", r.scale)};
     for (std::size_t i = 0; i < row.size(); ++i) {
       csv += (i ? "," : "") + row[i];
       markdown += "| " + row[i] + ' ';
@@ -250,13 +275,15 @@ int run_compare(const CompareOptions& options) {
   const Chosen chosen = chosen_models(options);
   const auto land = std::make_shared<const Land>(scene.land);
   std::vector<Result> results;
+  std::vector<char> sky;
   {
     Progress progress("compare");
     for (std::size_t i = 0; i < chosen.names.size(); ++i) {
       const double from = double(i) / double(chosen.names.size()), to = double(i + 1) / double(chosen.names.size());
       try {
-        results.push_back(
-            draw(scene, chosen.names[i], land, options.picture.engine, !options.picture.no_sun, progress, from, to));
+        results.push_back(draw(scene, chosen.names[i], land, options.picture.engine, !options.picture.no_sun, sky,
+                               progress, from, to));
+        if (i > 0 && model_info(chosen.names[i]).colours) scale_to(results.front(), sky, results.back());
       } catch (const InputError& error) {
         if (!chosen.all || i == 0) throw;
         fmt::print(stderr, "{} is left out: {}\n", chosen.names[i], error.what());
@@ -278,7 +305,9 @@ int run_compare(const CompareOptions& options) {
 void add_compare(CLI::App& app, Command& chosen) {
   const auto options = std::make_shared<CompareOptions>();
   CLI::App& compare = *app.add_subcommand(
-      "compare", "One scene by several models: pictures, differences, errors, cost (no shadows in the air)");
+      "compare",
+      "One scene by several models: pictures, differences, errors, cost (no shadows in the air; relative "
+      "colours scaled to the yardstick's sky)");
   compare.add_option("scene", options->scene, "scene to render, TOML (docs/scene_file.md)")
       ->required()
       ->type_name("FILE");

@@ -1,6 +1,7 @@
 // `airlight probe`: the numbers of the sky for one view, or for a file of questions.
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <memory>
 
 #include "airlight/error.h"
@@ -8,8 +9,10 @@
 #include "batch.h"
 #include "commands.h"
 #include "json_line.h"
+#include "model_options.h"
 #include "number_option.h"
 #include "options.h"
+#include "probe_colours.h"
 #include "scenefile/atmosphere_file.h"
 #include "text_output.h"
 
@@ -17,13 +20,14 @@ namespace airlight::cli {
 namespace {
 
 struct ProbeOptions {
+  ModelOptions own;
   AirOptions air;
   SunOptions sun;
   MachineOptions machine;
   double altitude = 0, view_zenith = 0, view_azimuth = 0;
   int max_order = 0;
   std::optional<double> distance;
-  std::string wavelengths = "400:700:50", batch, output = "-";
+  std::string wavelengths, batch, output = "-";
   bool json = false;
 };
 
@@ -43,7 +47,8 @@ struct Report {
 Report make_report(const ProbeOptions& options) {
   Report report;
   report.sun = options.sun.resolve();
-  report.wavelengths = parse_wavelengths(options.wavelengths, "--wavelengths");
+  report.wavelengths =
+      parse_wavelengths(options.wavelengths.empty() ? "400:700:50" : options.wavelengths, "--wavelengths");
   Atmosphere atmosphere = options.air.load();
   report.sun.apply_distance(atmosphere);
   check_model_name(options.machine.model, "--model", answering_models());
@@ -150,6 +155,27 @@ std::string as_json(const Report& report, const ProbeOptions& options) {
   return json.dump(2) + '\n';
 }
 
+/// The same view asked of a published system that answers in colours.
+ColourQuestion colour_question(const ProbeOptions& options) {
+  ColourQuestion question{.model = options.machine.model,
+                          .parameters = options.own.parameters(),
+                          .engine = options.machine.make(),
+                          .sun = options.sun.resolve(options.own.sun_elevation(options.machine.model)),
+                          .atmosphere = options.air.load(),
+                          .ray = {}};
+  question.ray.altitude = options.altitude;
+  question.ray.view = direction(options.view_azimuth * degree, (90 - options.view_zenith) * degree);
+  question.ray.sun = question.sun.direction();
+  if (options.distance) question.ray.distance = *options.distance;
+  if (!options.wavelengths.empty())
+    throw InputError(
+        fmt::format("--wavelengths: expected none: model {} answers in red, green and blue", options.machine.model));
+  if (options.max_order != 0)
+    throw InputError(fmt::format("--max-order = {}: expected 0: model {} has no orders of scattering",
+                                 options.max_order, options.machine.model));
+  return question;
+}
+
 int run_probe(const ProbeOptions& options) {
   if (!options.batch.empty()) {
     check_model_name(options.machine.model, "--model", answering_models());
@@ -158,6 +184,13 @@ int run_probe(const ProbeOptions& options) {
                          }});
     return answer_batch(options.batch, options.output, answerers, {options.air.planet, options.machine.model});
   }
+  const auto published = [&](const ModelInfo& info) { return info.name == options.machine.model && info.colours; };
+  if (std::ranges::any_of(models(), published)) {
+    write_text(options.output, probe_colours(colour_question(options), options.json));
+    return ok;
+  }
+  if (const Parameters own = options.own.parameters(); !own.empty())
+    throw InputError(fmt::format("--set, --preset: expected none: model {} has no parameters", options.machine.model));
   const Report report = make_report(options);
   write_text(options.output, options.json ? as_json(report, options) : as_table(report, options));
   return ok;
@@ -167,7 +200,8 @@ int run_probe(const ProbeOptions& options) {
 
 void add_probe(CLI::App& app, Command& chosen) {
   const auto options = std::make_shared<ProbeOptions>();
-  CLI::App& probe = *app.add_subcommand("probe", "Numbers for one view, or for a file of questions (--batch)");
+  CLI::App& probe = *app.add_subcommand(
+      "probe", "Numbers for one view, or for a file of questions (--batch); of published systems in red, green, blue");
   auto* const batch =
       probe.add_option("--batch", options->batch, "answer a file of JSON lines; - reads standard input")
           ->type_name("FILE");
@@ -195,6 +229,9 @@ void add_probe(CLI::App& app, Command& chosen) {
   options->sun.add_to(probe);
   options->air.add_to(probe);
   options->machine.add_to(probe, answering_models());
+  options->own.add_to(probe);
+  probe.get_option("--preset")->excludes(batch);
+  probe.get_option("--set")->excludes(batch);
   probe.callback([options, &chosen] { chosen = [options] { return run_probe(*options); }; });
 }
 

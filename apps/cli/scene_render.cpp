@@ -9,7 +9,7 @@
 #include "airlight/error.h"
 #include "commands.h"
 #include "interrupt.h"
-#include "model_options.h"
+#include "model/model.h"
 #include "number.h"
 #include "number_option.h"
 #include "optics/colour.h"
@@ -63,15 +63,18 @@ Sky make_sky(const Scene& scene, const SunPlace& sun, std::shared_ptr<Engine> en
              own == scene.parameters.end() ? Parameters{} : own->second);
 }
 
-/// A published system that answers in colours draws the sky of a scene, through its camera.
+/// A published system that answers in colours draws the sky of a scene without land by itself, through its camera.
 bool draws_sky_alone(const Scene& scene) {
-  if (!model_info(scene.picture.model).colours) return false;
-  if (scene.has_land)
+  const Model& model = find_model(scene.picture.model);
+  if (!model.colours) return false;
+  if (scene.has_land) {
+    if (!model.surface.empty()) return false;
     throw InputError(
-        fmt::format("model {}: draws the sky alone; expected a scene without terrain and relief", scene.picture.model));
+        fmt::format("model {}: draws the sky alone; expected a scene without terrain and relief", model.name));
+  }
   if (scene.camera.camera.projection == Projection::cube)
-    throw InputError(fmt::format("model {}: camera.type = cube: expected perspective, equirectangular or fisheye",
-                                 scene.picture.model));
+    throw InputError(
+        fmt::format("model {}: camera.type = cube: expected perspective, equirectangular or fisheye", model.name));
   return true;
 }
 
@@ -81,6 +84,8 @@ const Sky& able_to_shade(const Sky& sky, const Scene& scene, const PlacedCamera&
   constexpr float underground = -1e6f;
   const AirShadows none{.width = 2, .height = 2, .edges = std::make_shared<std::vector<float>>(8, underground)};
   const Sight point{.view = {0, 0, 1}, .distance = 1};
+  if (model_info(sky.model()).colours)
+    throw InputError(fmt::format("model {}: cannot shade the air; expected picture.air_shadows = false", sky.model()));
   const auto wavelengths = sky.realtime_wavelengths();
   std::array<double, 4> inscatter, transmittance;
   sky.haze(camera.camera.altitude, camera.from_scene(sun.direction()), {&point, 1}, wavelengths, &none, inscatter,
@@ -128,6 +133,7 @@ void ScenePictureOptions::add_to(CLI::App& app) {
   app.add_option("--model", model, "model of the sky (shadows in the air need skyview)")
       ->group(instead)
       ->type_name("NAME");
+  own.add_to(app);
   app.add_flag("--no-air-shadows", no_air_shadows, "land casts no shadows into the air")->group(instead);
   add_picture_to(app);
 }
@@ -148,6 +154,8 @@ void ScenePictureOptions::apply(Scene& scene) const {
   if (!model.empty()) scene.picture.model = model;
   if (!tone.empty()) scene.picture.tone = tone;
   check_model_name(scene.picture.model, "--model", model_names());
+  for (const auto& [name, value] : own.parameters())
+    scene.parameters[scene.picture.model].insert_or_assign(name, value);
 }
 
 std::vector<Layer> ScenePictureOptions::layers() const {
@@ -171,11 +179,11 @@ std::vector<Layer> ScenePictureOptions::layers() const {
 PictureFormat ScenePictureOptions::format(const Scene& scene) const {
   const std::vector<Layer> extra = layers();
   const auto given = scene.parameters.find(scene.picture.model);
-  const auto own = own_display(scene.picture.model, given == scene.parameters.end() ? Parameters{} : given->second);
+  const auto display = own_display(scene.picture.model, given == scene.parameters.end() ? Parameters{} : given->second);
   std::string ev = exposure, curve = scene.picture.tone;
   if (ev.empty() && scene.picture.exposure_ev) ev = fmt::format("{}", *scene.picture.exposure_ev);
-  if (ev.empty()) ev = own ? own->exposure : "auto";
-  if (curve.empty()) curve = own ? own->tone : "filmic";
+  if (ev.empty()) ev = display ? display->exposure : "auto";
+  if (curve.empty()) curve = display ? display->tone : "filmic";
   PictureFormat format = picture_format(ev, curve, full_float || !extra.empty());
   for (const Layer& layer : extra)
     format.layers.insert(format.layers.end(), layer.channels.begin(), layer.channels.end());
@@ -233,6 +241,15 @@ bool SceneShot::spectral_rows(const std::function<bool(int end, std::span<const 
   });
 }
 
+std::vector<char> SceneShot::sky_pixels() const {
+  if (renderer_) return renderer_->sky_pixels();
+  std::vector<char> sky;
+  for (int y = 0; y < height_; ++y)
+    for (int x = 0; x < width_; ++x)
+      sky.push_back(view_direction(placed_.camera, (x + 0.5) / width_, (y + 0.5) / height_)[2] > 0);
+  return sky;
+}
+
 void SceneShot::paint_sky(PictureOutputs& files, const std::function<void(double)>& progress) const {
   const bool whole =
       sky_.render(placed_.camera, placed_.from_scene(sun_.direction()), {.sun_disc = sun_disc_, .wavelengths = {}},
@@ -246,6 +263,9 @@ void SceneShot::paint_sky(PictureOutputs& files, const std::function<void(double
 
 void SceneShot::paint(PictureOutputs& files, const std::vector<Layer>& layers,
                       const std::function<void(double)>& progress) const {
+  const bool colours = model_info(sky_.model()).colours != nullptr;
+  if (colours && std::ranges::find(layers, spectral, &Layer::name) != layers.end())
+    throw InputError(fmt::format("--aov spectral: model {} draws in red, green and blue", sky_.model()));
   if (!renderer_) {
     if (!layers.empty())
       throw InputError(fmt::format("--aov: model {} draws the sky alone, without layers", sky_.model()));

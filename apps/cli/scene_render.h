@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "airlight/sky.h"
+#include "model_options.h"
 #include "options.h"
 #include "picture_outputs.h"
 #include "render/scene_renderer.h"
@@ -27,6 +28,7 @@ struct Layer {
 /// Which layers, and what replaces a scene's own words.
 struct ScenePictureOptions {
   std::string size, exposure, tone, aov, model, engine = "simd";
+  ModelOptions own;
   std::optional<int> samples;
   bool full_float = false, no_air_shadows = false, no_sun = false;
 
@@ -66,6 +68,8 @@ class SceneShot {
   /// The same as radiance [W m^-2 sr^-1 nm^-1] at the four wavelengths, four numbers a pixel.
   /// @throws InputError where the model answers in colours
   bool spectral_rows(const std::function<bool(int end, std::span<const float> radiance)>& take) const;
+  /// Whether each pixel's middle looks into the sky, rows from the top: past all land, or above the horizon where there is none.
+  std::vector<char> sky_pixels() const;
   /// Renders into files. @param progress  is told how much is done, 0 .. 1. @throws Interrupted
   void paint(PictureOutputs& files, const std::vector<Layer>& layers,
              const std::function<void(double)>& progress) const;

@@ -28,4 +28,8 @@ struct HoffmanPreetham {
   Scalar show;               // [1] in 0..5   0: all; 1: L0, 2: F_ex, 3: L0 F_ex, 4: L_in, 5: fog in place of scattering
   Scalar clamp8bit;          // [1] in 0..1   1: both terms as 8-bit colours, as the hardware of 2002 kept them
   Scalar exposure;           // [1] in 0.01..1e3  display value of a radiance of 1, for clamp8bit
+  Scalar ambient;            // [1] in 0..4   part of the sky's light that reaches the land; the authors have none
+  Scalar pad0;               // [1] in 0..1
+  Scalar pad1;               // [1] in 0..1
+  Scalar pad2;               // [1] in 0..1
 };

@@ -1,5 +1,6 @@
 #pragma once
 #include "core/picture.glsl"
+#include "core/radiance.glsl"
 #include "core/sun_direction.glsl"
 #include "core/tables.glsl"
 #include "hoffman_preetham/sunlight.glsl"
@@ -23,7 +24,7 @@ FN Vec3 hoffman_preetham_terms(IN(HoffmanPreetham) air, Float rayleigh_path, Flo
       light = none;
       left = Vec3(Float(1.0), Float(1.0), Float(1.0));
     } else if (air.show < 2.5) {
-      light = left;
+      light = left * (1.0 / air.exposure);  // a display shows 1 as white
       left = none;
     } else if (air.show < 3.5) {
       light = none;
@@ -96,22 +97,61 @@ FN Vec4 hoffman_preetham_picture_pass(IN(HoffmanPreetham) hoffman_preetham, IN(C
   return hoffman_preetham_shown(display, arriving, light, apart, view.z) * inside;
 }
 
+/// Light of a line of sight that ends at a distance, or of the sky where that is infinite [1/sr]; what it leaves of light from there [1].
+/// @param view [1] in -0.577..0.577
+/// @param distance [m] in 0..3e5
+/// @param sun [1] in -0.577..0.577
+/// @param sunlight [1] in 0..2
+/// @param left [1]
+/// @bound 1e-4 scale 10   as hoffman_preetham_inscatter
+FN Vec3 hoffman_preetham_sight(IN(HoffmanPreetham) air, Vec3 view, Float distance, Vec3 sun, Vec3 sunlight, OUT(Vec3) left) {
+  Bool sky = distance > 9.9e14;
+  Float rayleigh = select(sky, hoffman_preetham_rayleigh_dome(air, view.z), distance);
+  Float mie = select(sky, hoffman_preetham_mie_dome(air, view.z), distance);
+  Vec3 light = hoffman_preetham_terms(air, rayleigh, mie, one_minus_cos(view, sun), sunlight, left);
+  left = hoffman_preetham_kept(air, left, Float(1.0));
+  return hoffman_preetham_kept(air, light, Float(air.exposure));
+}
+
 /// Light along rays as eyes and suns ask it: in front of what ends them, or of the sky [1/sr]; transmittance [1].
 FN Vec4 hoffman_preetham_rays_pass(IN(HoffmanPreetham) hoffman_preetham, Table2 eyes, Table2 suns, Vec2 uv, OUT(Vec4) transmittance, OUT(Vec4) ground) {
   Vec4 eye = fetch_same(eyes, uv);
   Vec4 at = fetch_same(suns, uv);
-  Vec3 view = Vec3(eye.y, eye.z, eye.w);
   Vec3 sun = Vec3(at.y, at.z, at.w);
-  Bool sky = at.x > 9.9e14;
-  Float rayleigh = select(sky, hoffman_preetham_rayleigh_dome(hoffman_preetham, view.z), at.x);
-  Float mie = select(sky, hoffman_preetham_mie_dome(hoffman_preetham, view.z), at.x);
-  Vec3 left = view;
-  Vec3 light = hoffman_preetham_terms(hoffman_preetham, rayleigh, mie, one_minus_cos(view, sun), hoffman_preetham_sunlight(hoffman_preetham, sun.z), left);
-  light = hoffman_preetham_kept(hoffman_preetham, light, Float(hoffman_preetham.exposure));
-  left = hoffman_preetham_kept(hoffman_preetham, left, Float(1.0));
+  Vec3 left = sun;
+  Vec3 light = hoffman_preetham_sight(hoffman_preetham, Vec3(eye.y, eye.z, eye.w), at.x, sun, hoffman_preetham_sunlight(hoffman_preetham, sun.z), left);
   transmittance = Vec4(left.x, left.y, left.z, Float(0.0));
   ground = Vec4(0.0);
   return Vec4(light.x, light.y, light.z, Float(0.0));
+}
+
+/// The air before points in view, and the sky, by the formula at each [1/sr]; transmittance [1].
+FN Vec4 hoffman_preetham_haze_pass(IN(HoffmanPreetham) hoffman_preetham, IN(Observer) observer, Table2 sunlight, Table2 points, Vec2 uv, OUT(Vec4) transmittance) {
+  Vec4 sight = fetch_same(points, uv);
+  Vec3 left = xyz(sight);
+  Vec3 light = hoffman_preetham_sight(hoffman_preetham, xyz(sight), sight.w, Vec3(observer.sun.x, observer.sun.y, observer.sun.z), xyz(Vec4(fetch_scalar(sunlight, 0, 0))), left);
+  transmittance = Vec4(left.x, left.y, left.z, Float(0.0));
+  return Vec4(light.x, light.y, light.z, Float(0.0));
+}
+
+/// Skylight from one direction of the hemisphere (u) for one sun (v), times its z, whatever the views show [1/sr].
+FN Vec4 hoffman_preetham_sky_light_pass(IN(HoffmanPreetham) hoffman_preetham, Table2 suns, Vec2 uv) {
+  Vec4 at = fetch(suns, Float(0.0), floor(uv.y * height_of(suns)));
+  Vec3 sun = sun_ahead(Vec3(at.y, at.z, at.w));
+  Vec3 view = hemisphere_direction(floor(uv.x * 256.0));
+  Vec3 depth = view;
+  Vec3 light = hoffman_preetham_inscatter(hoffman_preetham, hoffman_preetham_rayleigh_dome(hoffman_preetham, view.z), hoffman_preetham_mie_dome(hoffman_preetham, view.z), one_minus_cos(view, sun), depth);
+  light = light * hoffman_preetham_sunlight(hoffman_preetham, sun.z) * view.z;
+  return Vec4(light.x, light.y, light.z, Float(0.0));
+}
+
+/// Light that leaves land towards any eye [1/sr]: albedo / pi times the frame's one sunlight, and the wanted part of its one skylight, which
+/// is that of level ground; the skylight that reaches it [1]. `places` and `normals` as core_surface_pass has them.
+FN Vec4 hoffman_preetham_surface_pass(IN(HoffmanPreetham) hoffman_preetham, Table2 sunlight, Table2 skylight, Table2 places, Table2 normals, Table2 albedos, Vec2 uv, OUT(Vec4) from_sky) {
+  Vec4 place = fetch_same(places, uv);
+  Vec4 from_sun = Vec4(fetch_scalar(sunlight, 0, 0)) * (max(fetch_same(normals, uv).w, 0.0) * place.z);
+  from_sky = Vec4(fetch_scalar(skylight, 0, 0)) * (place.w * hoffman_preetham.ambient);
+  return fetch_same(albedos, uv) * (from_sun + from_sky) * 0.318309886183791;
 }
 
 /// Sunlight at the ground for the suns asked [1].

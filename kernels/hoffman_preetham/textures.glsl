@@ -55,3 +55,16 @@ FN Vec4 hoffman_preetham_texture_picture_pass(IN(HoffmanPreetham) hoffman_preeth
   light = hoffman_preetham_kept(hoffman_preetham, light, Float(hoffman_preetham.exposure));
   return hoffman_preetham_shown(display, arriving, light, apart, view.z) * inside;
 }
+
+/// The air before points in view, and the sky, from the textures [1/sr]; transmittance [1].
+FN Vec4 hoffman_preetham_texture_haze_pass(IN(HoffmanPreetham) hoffman_preetham, IN(Observer) observer, Table2 sunlight, Table2 extinction_texture, Table2 inscatter_texture, Table2 points, Vec2 uv, OUT(Vec4) transmittance) {
+  Vec4 sight = fetch_same(points, uv);
+  Vec3 view = xyz(sight);
+  Float distance = select(sight.w > 9.9e14, hoffman_preetham_rayleigh_dome(hoffman_preetham, view.z), sight.w);
+  Vec3 left = view;
+  Vec3 light = hoffman_preetham_from_textures(extinction_texture, inscatter_texture, distance, one_minus_cos(view, Vec3(observer.sun.x, observer.sun.y, observer.sun.z)), left) * xyz(Vec4(fetch_scalar(sunlight, 0, 0)));
+  light = hoffman_preetham_kept(hoffman_preetham, light, Float(hoffman_preetham.exposure));
+  left = hoffman_preetham_kept(hoffman_preetham, left, Float(1.0));
+  transmittance = Vec4(left.x, left.y, left.z, Float(0.0));
+  return Vec4(light.x, light.y, light.z, Float(0.0));
+}

@@ -16,14 +16,30 @@ struct JetlagFrames {
 /// @param v [1] in -1..1
 FN Vec3 jetlag_frame(Vec3 v) { return Vec3(v.x, v.z, -v.y); }
 
-/// Light that the ground reflects, lit by the Sun through the air [1].
-FN_SHARED Vec4 jetlag_ground(IN(Jetlag) jetlag, IN(JetlagDrift) drift, Table2 noise, Vec3 p, Vec3 sun) {
+/// Sunlight at a place through the air, in 32 steps [1].
+FN_SHARED Vec4 jetlag_sunlight(IN(Jetlag) jetlag, IN(JetlagDrift) drift, Table2 noise, Vec3 p, Vec3 sun) {
   Float gap = jetlag_gap(jetlag, p);
   Float sunward = dot(p, sun) + jetlag.ground_radius * sun.y;
   Float length = max(jetlag_escape(gap, sunward, Float(jetlag.top * (2.0 * jetlag.ground_radius + jetlag.top))), 0.0);
   Vec2 depth = jetlag_depth(jetlag, drift, noise, p, sun, gap, sunward, Float(0.0), length, 32, Float(jetlag.jitter.x));
+  return jetlag_through(jetlag, depth) * jetlag.sun_intensity;
+}
+
+/// Light that the ground reflects, lit by the Sun through the air: the source divides by 3, not by pi [1].
+FN_SHARED Vec4 jetlag_ground(IN(Jetlag) jetlag, IN(JetlagDrift) drift, Table2 noise, Vec3 p, Vec3 sun) {
+  Float sunward = dot(p, sun) + jetlag.ground_radius * sun.y;
   Float facing = max(sunward * (1.0 / jetlag.ground_radius), 0.0);
-  return jetlag_through(jetlag, depth) * (facing * (jetlag.sun_intensity * jetlag.albedo * (1.0 / 3.0)));
+  return jetlag_sunlight(jetlag, drift, noise, p, sun) * (facing * (jetlag.albedo * (1.0 / 3.0)));
+}
+
+/// The same of land that a picture shows, as core_surface_pass has it; the system has no skylight. Of a piece of land the altitude is known,
+/// not the place: clouds shade it as they would at the eye's.
+FN Vec4 jetlag_surface_pass(IN(Jetlag) jetlag, IN(JetlagDrift) drift, Table2 noise, Table2 places, Table2 normals, Table2 albedos, Vec2 uv, OUT(Vec4) from_sky) {
+  Vec4 place = fetch_same(places, uv);
+  Vec3 p = Vec3(Float(jetlag.eye.x), place.x, Float(jetlag.eye.z));
+  Vec3 sun = Vec3(sqrt(max((1.0 - place.y) * (1.0 + place.y), 0.0)), place.y, Float(0.0));
+  from_sky = Vec4(0.0);
+  return fetch_same(albedos, uv) * jetlag_sunlight(jetlag, drift, noise, p, sun) * (max(fetch_same(normals, uv).w, 0.0) * place.z * (1.0 / 3.0));
 }
 
 /// A ray's light from the air alone [1]; its transmittance; the ground's light, attenuated.

@@ -48,6 +48,17 @@ FN_SHARED Vec4 realworldz_sky(IN(RealworldzView) view, Table2 sky_colours, Table
   return realworldz_fragment(colour, behind, Vec4(1.0), Vec4(0.0));
 }
 
+/// Light that falls on a white surface: the Sun's, and a little of the sky [1].
+/// @param level [1] in -1..1  z of the surface's normal above the local horizontal
+/// @param mu_s [1] in -1..1  cosine of the Sun's zenith angle
+/// @param direct [1] in 0..1  cosine to the Sun, 0 in shadow
+FN Vec4 realworldz_light(IN(Realworldz) rw, Float level, Float mu_s, Float direct) {
+  // The Sun sets for the ground as it does for the eye: over 3 degrees about the horizon.
+  Float day = smooth_step(-0.05, 0.05, mu_s);
+  Float diffuse = 0.25 * (0.5 + 0.5 * level) * smooth_step(-0.2, 0.2, mu_s);
+  return Vec4(rw.sun_light) * (direct * day) + Vec4(rw.far_light) * diffuse;
+}
+
 /// Light of the ground lit by the Sun and a little by the sky [1].
 /// @param p [m] in 3e4..4e4  in the planet's frame, as the normal and the Sun
 /// @param normal [1] in -0.577..0.577
@@ -61,11 +72,15 @@ FN Vec4 realworldz_lit(IN(Realworldz) rw, Vec3 p, Vec3 normal, Float height, Vec
   Vec4 rock = Vec4(0.24, 0.21, 0.18, 0.0);
   Vec4 snow = Vec4(0.8, 0.82, 0.85, 0.0);
   Vec4 albedo = mix(mix(grass, snow, smooth_step(0.55, 0.7, part)), rock, smooth_step(0.12, 0.35, steep));
-  // The Sun sets for the ground as it does for the eye: over 3 degrees about the horizon.
-  Float day = smooth_step(-0.05, 0.05, dot(up, sun));
-  Float direct = max(dot(normal, sun), 0.0) * day;
-  Float diffuse = 0.25 * (0.5 + 0.5 * dot(normal, up)) * smooth_step(-0.2, 0.2, dot(up, sun));
-  return albedo * (Vec4(rw.sun_light) * direct + Vec4(rw.far_light) * diffuse);
+  return albedo * realworldz_light(rw, dot(normal, up), dot(up, sun), max(dot(normal, sun), 0.0));
+}
+
+/// The light of land that a picture shows, as core_surface_pass has it.
+FN Vec4 realworldz_surface_pass(IN(Realworldz) rw, Table2 places, Table2 normals, Table2 albedos, Vec2 uv, OUT(Vec4) from_sky) {
+  Vec4 place = fetch_same(places, uv);
+  Vec4 normal = fetch_same(normals, uv);
+  from_sky = realworldz_light(rw, normal.z, place.y, Float(0.0));
+  return fetch_same(albedos, uv) * realworldz_light(rw, normal.z, place.y, max(normal.w, 0.0) * place.z);
 }
 
 /// A picture, linear sRGB [cd/m^2].

@@ -131,6 +131,7 @@ Model codeflow_model() {
                 return argument == "codeflow" ? kernel_fields(*s.parameters) : Fields{};
               },
               .sun = "",
+              .surface = "",
               .segments = false,
               // Its display shows 1 as white; a day's sky is 1e3 .. 1e4 cd/m^2.
               .colours = ColourModel{.wavelengths = {}, .luminance = 1e4, .tone = "codeflow"},

@@ -39,4 +39,10 @@ Fields zero_fields(std::string_view struct_name) {
   return fields;
 }
 
+Fields unit_air() {
+  Fields air = zero_fields("Air");
+  air["solar_irradiance"] = {1, 1, 1, 1};
+  return air;
+}
+
 }  // namespace airlight

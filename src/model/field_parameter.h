@@ -17,4 +17,8 @@ Fields struct_fields(std::string_view struct_name, const Values& values);
 /// Every field of a struct at 0: for passes that read a few of them.
 Fields zero_fields(std::string_view struct_name);
 
+/// The general passes' struct Air for a published system, which has its own: the sum over the sky's light asks for the sunlight before
+/// all air, and a system's light holds that already.
+Fields unit_air();
+
 }  // namespace airlight

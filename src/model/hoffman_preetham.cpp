@@ -32,7 +32,7 @@ ParameterInfo flag(std::string_view name, std::string_view text) {
   return {.name = name, .kind = Kind::flag, .text = text, .low = 0, .high = 1, .otherwise = Numbers{0}};
 }
 
-constexpr std::string_view shown[] = {"all", "L0", "F_ex", "L0_F_ex", "L_in", "fog"};
+constexpr std::string_view shown[] = {"all", "L0", "F_ex", "L0_F_ex", "L_in", "fog", "wireframe"};
 
 // The search for another planet's surface takes milliseconds, and a frame asks again and again.
 DomeFit dome(double height, double radius) {
@@ -43,6 +43,17 @@ DomeFit dome(double height, double radius) {
   const auto found = known.find({height, radius});
   if (found != known.end()) return found->second;
   return known[{height, radius}] = fit_dome({.height = height, .radius = radius});
+}
+
+// The textures know one length for both species, and no diagnostic views.
+const std::string& checked_renderer(const Values& values) {
+  const std::string& renderer = values.word("renderer");
+  for (const auto& [key, value] : {std::pair{"dome", "single"}, {"show", "all"}}) {
+    if (renderer == "texture" && values.word(key) != value)
+      throw InputError("hoffman_preetham.renderer = \"texture\": expected vertex or pixel where " + std::string(key) +
+                       " = \"" + values.word(key) + '"');
+  }
+  return renderer;
 }
 
 }  // namespace
@@ -86,11 +97,13 @@ const std::vector<ParameterInfo>& parameters() {
        .low = 9,
        .high = 129,
        .otherwise = Numbers{33}},
-      word("show", "all, or a term of L = L0 F_ex + L_in, or fog in its place", {std::begin(shown), std::end(shown)}),
+      word("show", "all, a term of L = L0 F_ex + L_in, fog in its place, or the dome's mesh as wires",
+           {std::begin(shown), std::end(shown)}),
       field("fog_colour", {0.03}),
       field("fog_density", {5e-5}),
       flag("clamp8bit", "both terms as 8-bit colours"),
-      field("exposure", {20})};
+      field("exposure", {20}),
+      field("ambient", {0})};
   return keys;
 }
 
@@ -130,7 +143,8 @@ Fields kernel_fields(const Values& values) {
   fields["printed"] = is("mode", "printed");
   fields["dome_sunlight"] = is("sunlight", "dome");
   fields["per_species"] = is("dome", "per_species");
-  fields["show"] = {double(std::ranges::find(shown, values.word("show")) - std::begin(shown))};
+  const auto view = std::ranges::find(shown, values.word("show")) - std::begin(shown);
+  fields["show"] = {*(std::begin(shown) + view) == "wireframe" ? 0.0 : double(view)};
   const double radius = values.number("planet_radius");
   const DomeFit rayleigh = dome(values.number("rayleigh_height"), radius);
   const DomeFit mie = dome(values.number("mie_height"), radius);
@@ -160,26 +174,31 @@ Model hoffman_preetham_model() {
                     return {int(s.parameters->number("dome_columns")) + 1, int(s.parameters->number("dome_rings")), 1};
                   }}},
       .rays = "hoffman_preetham.rays",
-      .sky_light = "",
+      .sky_light = "hoffman_preetham.sky_light",
       .picture = [](const Situation& s) -> std::string_view {
-        const std::string& renderer = s.parameters->word("renderer");
-        // The textures know one length for both species, and no diagnostic views.
-        for (const auto& [key, value] : {std::pair{"dome", "single"}, {"show", "all"}}) {
-          if (renderer == "texture" && s.parameters->word(key) != value)
-            throw InputError("hoffman_preetham.renderer = \"texture\": expected vertex or pixel where " +
-                             std::string(key) + " = \"" + s.parameters->word(key) + '"');
-        }
+        const std::string& renderer = checked_renderer(*s.parameters);
+        if (s.parameters->word("show") == "wireframe") return "hoffman_preetham.wire_picture";
         return renderer == "vertex"    ? "hoffman_preetham.vertex_picture"
                : renderer == "texture" ? "hoffman_preetham.texture_picture"
                                        : "hoffman_preetham.picture";
       },
-      .haze = [](const Situation&) -> std::string_view { return ""; },
+      .haze = [](const Situation& s) -> std::string_view {
+        const std::string& renderer = checked_renderer(*s.parameters);
+        if (s.parameters->word("show") == "wireframe")
+          throw InputError("hoffman_preetham.show = \"wireframe\": expected a picture of the sky alone, without land");
+        return renderer == "vertex"    ? "hoffman_preetham.vertex_haze"
+               : renderer == "texture" ? "hoffman_preetham.texture_haze"
+                                       : "hoffman_preetham.haze";
+      },
       .fields = [](std::string_view argument, const Situation& s) -> Fields {
         if (argument == "mesh")
           return {{"columns", s.parameters->numbers("dome_columns")}, {"rings", s.parameters->numbers("dome_rings")}};
+        if (argument == "air") return unit_air();
         return argument == "hoffman_preetham" ? kernel_fields(*s.parameters) : Fields{};
       },
       .sun = "hoffman_preetham.sun_irradiance",
+      .surface = "hoffman_preetham.surface",
+      .haze_at_corners = [](const Values& parameters) { return parameters.word("renderer") == "vertex"; },
       // A unit is the sunlight outside the air, whose illuminance is 1.33e5 lx by data/solar_irradiance.csv.
       .colours = ColourModel{.wavelengths = {650, 570, 475},
                              .luminance = 1.33e5,

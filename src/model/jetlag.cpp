@@ -184,13 +184,6 @@ HostTable frames_table(const Values& v) {
   return {{count, 5}, jetlag_frames(frames)};
 }
 
-// The sum over the sky asks for the light before all air: here it is in the rays' own light.
-Fields unit_air() {
-  Fields air = zero_fields("Air");
-  air["solar_irradiance"] = {1, 1, 1, 1};
-  return air;
-}
-
 }  // namespace
 
 Model jetlag_model() {
@@ -214,6 +207,7 @@ Model jetlag_model() {
             return {};
           },
           .sun = "jetlag.sun_irradiance",
+          .surface = "jetlag.surface",
           .data = [](std::string_view argument, const Situation& s) -> HostTable {
             if (argument == "noise") return {{jetlag_noise_size, jetlag_noise_size}, jetlag_noise_texels()};
             if (argument == "drifts") return frames_table(*s.parameters);

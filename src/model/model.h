@@ -67,7 +67,11 @@ struct Model {
 
   // ---- published systems ----
   std::string_view sun = "core.sun_irradiance";  ///< answers sunlight for rays; empty: the system does not say
+  std::string_view surface = "core.surface";     ///< light that surfaces reflect; empty: the system does not say
+  /// Set and true: the air before land is wanted at the corners of its triangles, and interpolated between them.
+  std::function<bool(const Values& parameters)> haze_at_corners = {};
   std::function<HostTable(std::string_view argument, const Situation&)> data = {};  ///< tables that no pass makes
+  bool under_the_sun = true;                   ///< false: another world's inside, not to be compared with skies
   bool segments = true;                        ///< answers for rays that end in the air
   std::optional<ColourModel> colours = {};     ///< answers in red, green and blue, for no given air
   std::vector<ParameterInfo> parameters = {};  ///< `preset`, a word, takes the values of that preset first

@@ -182,10 +182,12 @@ Model rama_model() {
             return argument == "eye" ? eye_fields(*s.parameters) : Fields{};
           },
           .sun = "",
+          .surface = "",
           .data = [](std::string_view argument, const Situation& s) -> HostTable {
             if (argument == "lights") return {{6, 2}, rama_lights(settings_of(*s.parameters))};
             return {};
           },
+          .under_the_sun = false,
           // 133 W/m^2 are 35000 lx of its white light.
           .colours = ColourModel{.wavelengths = {680, 550, 440}, .luminance = 35000.0 / 133, .tone = "reinhard"},
           .parameters = parameters()};

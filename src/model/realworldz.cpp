@@ -193,6 +193,7 @@ Model realworldz_model() {
             return argument == "view" ? view_fields(*s.parameters) : Fields{};
           },
           .sun = "",
+          .surface = "realworldz.surface",
           .data = [](std::string_view argument, const Situation& s) -> HostTable {
             if (argument == "sky_colours") return sky_colours(*s.parameters);
             if (argument != "stars") return {};

@@ -5,13 +5,16 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <unordered_map>
 
 #include "airlight/error.h"
-#include "optics/colour.h"
+#include "airlight/model_info.h"
+#include "model/model.h"
 #include "optics/number_text.h"
 #include "render/air_shadows.h"
 #include "scene/sky_view.h"
 #include "sky/camera.h"
+#include "sky/channel_colours.h"
 
 namespace airlight {
 namespace {
@@ -45,6 +48,26 @@ LevelOfDetail level_of_detail(const PlacedCamera& camera, double pixels) {
   return detail;
 }
 
+/// What the sky is asked at; nothing where its colours stand for no wavelengths.
+std::vector<double> sky_wavelengths(const Sky& sky, const ColourModel* colours, const SceneOptions& options) {
+  if (colours) return colours->wavelengths;
+  if (!options.wavelengths.empty()) return options.wavelengths;
+  const auto quad = sky.realtime_wavelengths();
+  return {quad.begin(), quad.end()};
+}
+
+bool means_corners(const Sky& sky) {
+  const Model& model = find_model(sky.model());
+  if (!model.haze_at_corners) return false;
+  const Values values = model_parameters(model, sky.parameters(), "");
+  return model.haze_at_corners(values);
+}
+
+/// Land has a colour at wavelengths. Colours that stand for none are taken at the dominant wavelengths of sRGB's primaries.
+std::vector<double> albedo_wavelengths(const std::vector<double>& asked) {
+  return asked.empty() ? std::vector<double>{611, 549, 464} : asked;
+}
+
 }  // namespace
 
 struct SceneRenderer::Impl {
@@ -57,12 +80,16 @@ struct SceneRenderer::Impl {
   double altitude, pixel;  // of the eye [m]; of a pixel [rad]
   Direction sun_at_eye;
   Terrain terrain;
-  std::vector<double> wavelengths;
+  const ColourModel* colours;       // set: the model answers in red, green and blue
+  std::vector<double> wavelengths;  // that the sky is asked at
+  std::size_t channels;             // numbers that answer one question
+  bool haze_at_corners;             // of triangles alone, as the model means it
   SurfaceColour colour;
   SkyViewMap sky_view, sky_view_near;  // the same, finer around the eye
   std::optional<AirShadows> shadows;
-  std::vector<std::array<double, 3>> to_rgb;  // a wavelength: linear sRGB of its radiance
-  std::array<double, 4> limb{}, irradiance{};
+  ChannelColours to_rgb;                       // a channel: linear sRGB of its radiance
+  double sun_radius;                           // [rad] of the disc that is drawn
+  std::array<double, 4> limb{}, irradiance{};  // of the disc; its light in front of the air, or what of it arrives
   struct Face {
     std::function<std::optional<Direction>(double u, double v)> look;
     DiscInPicture disc;
@@ -84,12 +111,13 @@ struct SceneRenderer::Impl {
         pixel(v.camera.detail().pixel_angle),
         sun_at_eye(v.camera.from_scene(v.sun)),
         terrain(land, level_of_detail(v.camera, o.triangle_pixels)),
-        wavelengths([&] {
-          if (!o.wavelengths.empty()) return o.wavelengths;
-          const auto quad = s.realtime_wavelengths();
-          return std::vector<double>(quad.begin(), quad.end());
-        }()),
-        colour(surface, land, wavelengths) {
+        colours(model_info(s.model()).colours),
+        wavelengths(sky_wavelengths(s, colours, o)),
+        channels(colours ? 3 : 4),
+        haze_at_corners(means_corners(s)),
+        colour(surface, land, albedo_wavelengths(wavelengths)),
+        to_rgb(colours ? primaries(colours->luminance) : srgb_weights(s.atmosphere(), wavelengths)),
+        sun_radius(colours ? colours->sun_radius : s.atmosphere().sun.angular_radius) {
     const Atmosphere& air = sky.atmosphere();
     const double reach = std::min(options.shadow_grid.half_width, land->extent());
     const GroundPoint below = land->frame().ground(eye);
@@ -103,17 +131,27 @@ struct SceneRenderer::Impl {
       const int steps = options.shadow_steps * (samples > 1 ? 2 : 1);
       shadows = air_shadows(shadow_map(*land, view.sun, air.sun.angular_radius, grid), view.camera, steps);
     }
-    for (const Xyz& weight : colour_weights(air, wavelengths)) to_rgb.push_back(xyz_to_srgb(weight));
-    for (std::size_t k = 0; k < 4; ++k) {
-      limb[k] = air.sun.limb_darkening.at(wavelengths[k]);
-      irradiance[k] = air.sun.irradiance.at(wavelengths[k]);
-    }
+    light_the_disc();
     Camera camera = view.camera.camera;
     for (camera.face = 0; camera.face < width / camera.width; ++camera.face) {
-      faces.push_back({viewer(camera), disc_in_picture(camera, sun_at_eye, air.sun.angular_radius, limb)});
+      faces.push_back({viewer(camera), disc_in_picture(camera, sun_at_eye, std::max(sun_radius, 1e-4), limb)});
       const Direction axis = view_direction(camera, 0.5, 0.5);
       if (camera.face == 0 || dot(axis, sun_at_eye) > nearest)
         sun_face = std::size_t(camera.face), nearest = dot(axis, sun_at_eye);
+    }
+  }
+
+  // A system of colours has an even disc of the sunlight that arrives; some have none, or one of their own making.
+  void light_the_disc() {
+    if (sun_radius == 0) options.sun_disc = false;
+    if (colours && options.sun_disc) {
+      const Ray ray{.altitude = altitude, .view = {0, 0, 1}, .sun = sun_at_eye};
+      sky.evaluate(Quantity::sun_irradiance, {&ray, 1}, wavelengths, std::span(irradiance).first(channels));
+    }
+    if (colours) return;
+    for (std::size_t k = 0; k < channels; ++k) {
+      limb[k] = sky.atmosphere().sun.limb_darkening.at(wavelengths[k]);
+      irradiance[k] = sky.atmosphere().sun.irradiance.at(wavelengths[k]);
     }
   }
 
@@ -127,7 +165,7 @@ struct SceneRenderer::Impl {
 
   std::array<double, 3> rgb(const double* spectrum) const {
     std::array<double, 3> out{};
-    for (std::size_t k = 0; k < 4; ++k) {
+    for (std::size_t k = 0; k < channels; ++k) {
       for (std::size_t c = 0; c < 3; ++c) out[c] += to_rgb[k][c] * spectrum[k];
     }
     return out;
@@ -150,13 +188,14 @@ struct SceneRenderer::Impl {
     std::vector<int> nth_in_air;     // place in the air's lists
     // The air before samples; those of a pixel that lie equally far off share it.
     std::vector<Sight> air;
-    std::vector<double> inscatter, transmittance;  // 4 each
+    std::vector<double> inscatter, transmittance;  // `channels` each
+    std::vector<double> corner_inscatter, corner_transmittance;
     // Of those on the ground alone.
     std::vector<std::size_t> on_ground;
     std::vector<SunQuestion> questions;
     std::vector<float> sun_visibility;
     std::vector<SurfacePoint> points;
-    std::vector<double> albedo, surface, skylight;  // 4 each
+    std::vector<double> albedo, surface, skylight;  // `channels` each
   };
 
   void see_rows(int begin, int end, Samples& s) const {
@@ -178,6 +217,28 @@ struct SceneRenderer::Impl {
     see(s);
   }
 
+  // Row by row: a picture's rays at once would be as large as its samples.
+  std::vector<char> sky_pixels() const {
+    const int height = view.camera.camera.height;
+    std::vector<char> sky;
+    std::vector<SceneRay> rays;
+    std::vector<TerrainHit> hits;
+    for (int y = 0; y < height; ++y) {
+      rays.clear();
+      for (int x = 0; x < width; ++x) {
+        const std::optional<Direction> seen = look((x + 0.5) / width, (y + 0.5) / height);
+        rays.push_back({eye, view.camera.to_scene(seen.value_or(Direction{0, 0, 1}))});
+        sky.push_back(seen.has_value());
+      }
+      hits.resize(rays.size());
+      terrain.hits(rays, hits);
+      for (std::size_t x = 0; x < hits.size(); ++x) {
+        if (hits[x].hit()) sky[std::size_t(y) * hits.size() + x] = 0;
+      }
+    }
+    return sky;
+  }
+
   // What the samples' lines of sight meet, and all its light.
   void see(Samples& s) const {
     const std::size_t count = s.sights.size();
@@ -195,10 +256,64 @@ struct SceneRenderer::Impl {
     }
     shade(s);
 
-    share_air(s);
-    s.inscatter.resize(4 * s.air.size());
-    s.transmittance.resize(4 * s.air.size());
-    sky.haze(altitude, sun_at_eye, s.air, wavelengths, shadows ? &*shadows : nullptr, s.inscatter, s.transmittance);
+    if (haze_at_corners) {
+      air_from_corners(s);
+    } else {
+      share_air(s);
+      ask_air(s.air, s.inscatter, s.transmittance);
+    }
+  }
+
+  void ask_air(const std::vector<Sight>& points, std::vector<double>& inscatter,
+               std::vector<double>& transmittance) const {
+    inscatter.resize(channels * points.size());
+    transmittance.resize(channels * points.size());
+    sky.haze(altitude, sun_at_eye, points, wavelengths, shadows ? &*shadows : nullptr, inscatter, transmittance);
+    // The disc of a system of colours is of the light that arrives: no air dims it again.
+    for (std::size_t i = 0; colours && i < points.size(); ++i) {
+      if (std::isinf(points[i].distance)) std::fill_n(&transmittance[channels * i], channels, 1.0);
+    }
+  }
+
+  // As a graphics card does that is told nothing between corners: the air before the corners of the triangles that samples meet, and
+  // between them its values weighted as the corners are. Each corner is asked for once.
+  void air_from_corners(Samples& s) const {
+    const std::size_t count = s.sights.size();
+    std::unordered_map<std::size_t, std::size_t> places;
+    std::vector<std::array<std::pair<std::size_t, double>, 3>> parts(count);  // place in the air's lists, weight
+    s.air.clear();
+    s.nth_in_air.resize(count);
+    for (std::size_t i = 0; i < count; ++i) {
+      s.nth_in_air[i] = int(i);
+      if (!s.hits[i].hit() || !s.hits[i].mesh) {
+        parts[i] = {{{s.air.size(), 1}, {s.air.size(), 0}, {s.air.size(), 0}}};
+        s.air.push_back(s.sights[i]);
+        continue;
+      }
+      const TerrainTriangle triangle = terrain.triangle(s.hits[i]);
+      for (std::size_t c = 0; c < 3; ++c) {
+        const auto [place, is_new] = places.try_emplace(triangle.numbers[c], s.air.size());
+        if (is_new) s.air.push_back(sight_of(triangle.corners[c]));
+        parts[i][c] = {place->second, triangle.weights[c]};
+      }
+    }
+    ask_air(s.air, s.corner_inscatter, s.corner_transmittance);
+    s.inscatter.assign(channels * count, 0);
+    s.transmittance.assign(channels * count, 0);
+    in_parallel(count, [&](std::size_t i) {
+      for (const auto& [place, weight] : parts[i]) {
+        for (std::size_t k = 0; k < channels; ++k) {
+          s.inscatter[channels * i + k] += weight * s.corner_inscatter[channels * place + k];
+          s.transmittance[channels * i + k] += weight * s.corner_transmittance[channels * place + k];
+        }
+      }
+    });
+  }
+
+  Sight sight_of(const Position& p) const {
+    const Direction to{p[0] - eye[0], p[1] - eye[1], p[2] - eye[2]};
+    const double distance = std::sqrt(dot(to, to));
+    return {distance > 0 ? view.camera.from_scene(unit(to)) : Direction{0, 0, 1}, distance};
   }
 
   // Light and transmittance of the air are smooth: over a pixel whose samples' distances differ by a fiftieth at most, those of its
@@ -234,7 +349,7 @@ struct SceneRenderer::Impl {
   std::array<double, 4> behind(const Samples& s, std::size_t i) const {
     std::array<double, 4> light{};
     if (const int n = s.nth_on_ground[i]; n >= 0) {
-      std::copy_n(&s.surface[4 * std::size_t(n)], 4, light.begin());
+      std::copy_n(&s.surface[channels * std::size_t(n)], channels, light.begin());
     } else if (options.sun_disc) {
       const DiscInPicture& disc = faces[sun_face].disc;
       const double reach = disc.radius + disc.edge;
@@ -243,7 +358,7 @@ struct SceneRenderer::Impl {
       const double one_minus_cos = 0.5 * (dx * dx + dy * dy + dz * dz);
       if (2 * one_minus_cos >= reach * reach) return light;
       const auto shape = disc_radiance(disc, limb, one_minus_cos);
-      for (std::size_t k = 0; k < 4; ++k) light[k] = shape[k] * irradiance[k];
+      for (std::size_t k = 0; k < channels; ++k) light[k] = shape[k] * irradiance[k];
     }
     return light;
   }
@@ -258,7 +373,7 @@ struct SceneRenderer::Impl {
     s.inside = {1};
     see(s);
     Answer answer{*seen, sun_at_eye, view.camera.to_scene(*seen), s.hits[0].distance, {}, {}, behind(s, 0)};
-    for (std::size_t k = 0; k < 4; ++k) {
+    for (std::size_t k = 0; k < channels; ++k) {
       answer.inscatter[k] = s.inscatter[k];
       answer.transmittance[k] = s.transmittance[k];
     }
@@ -273,7 +388,7 @@ struct SceneRenderer::Impl {
     for (const std::size_t i : which) s.questions.push_back({s.hits[i].position, s.hits[i].normal});
     s.sun_visibility.resize(which.size());
     s.points.resize(which.size());
-    for (auto* spectra : {&s.albedo, &s.surface, &s.skylight}) spectra->resize(4 * which.size());
+    for (auto* spectra : {&s.albedo, &s.surface, &s.skylight}) spectra->resize(channels * which.size());
     terrain.sun_visibility(s.questions, view.sun, options.soft_shadows ? sky.atmosphere().sun.angular_radius : 0.0,
                            s.sun_visibility);
     in_parallel(which.size(), [&](std::size_t j) {
@@ -300,7 +415,8 @@ struct SceneRenderer::Impl {
       const std::size_t begin = packet * lanes, end = std::min(begin + lanes, which.size());
       const TerrainHit* hits[lanes];
       for (std::size_t j = begin; j < end; ++j) hits[j - begin] = &s.hits[which[j]];
-      colour.albedo({hits, end - begin}, pixel, std::span(s.albedo).subspan(4 * begin, 4 * (end - begin)));
+      colour.albedo({hits, end - begin}, pixel,
+                    std::span(s.albedo).subspan(channels * begin, channels * (end - begin)));
     });
     sky.surface(s.points, std::clamp(sun_at_eye[2], -1.0, 1.0), wavelengths, s.albedo, s.surface, s.skylight);
   }
@@ -317,9 +433,9 @@ struct SceneRenderer::Impl {
       for (std::size_t i = p * per_pixel; i < (p + 1) * per_pixel; ++i) {
         if (!s.inside[i]) continue;
         const std::array<double, 4> light = behind(s, i);
-        const double *inscatter = &s.inscatter[4 * std::size_t(s.nth_in_air[i])],
-                     *transmittance = &s.transmittance[4 * std::size_t(s.nth_in_air[i])];
-        for (std::size_t k = 0; k < 4; ++k) seen[k] += inscatter[k] + light[k] * transmittance[k];
+        const double *inscatter = &s.inscatter[channels * std::size_t(s.nth_in_air[i])],
+                     *transmittance = &s.transmittance[channels * std::size_t(s.nth_in_air[i])];
+        for (std::size_t k = 0; k < channels; ++k) seen[k] += inscatter[k] + light[k] * transmittance[k];
       }
       put(out.rgb, p, rgb(seen.data()), 1 / double(per_pixel));
     });
@@ -336,12 +452,15 @@ struct SceneRenderer::Impl {
     for (auto* layer : {&out.surface, &out.transmittance, &out.inscatter, &out.position, &out.normal, &out.albedo,
                         &out.sky_irradiance})
       layer->resize(3 * pixels);
-    for (auto* layer : {&out.spectral_surface, &out.spectral_transmittance, &out.spectral_inscatter})
-      layer->resize(4 * pixels);
+    if (!colours) {
+      for (auto* layer : {&out.spectral_surface, &out.spectral_transmittance, &out.spectral_inscatter})
+        layer->resize(4 * pixels);
+    }
     out.depth.resize(pixels);
     out.sun_visibility.resize(pixels);
     // Albedo as the colour that sunlight outside the air takes on, relative to that of white.
-    const std::array<double, 3> white = rgb(irradiance.data());
+    const std::array<double, 4> white_light = colours ? std::array{1.0, 1.0, 1.0, 0.0} : irradiance;
+    const std::array<double, 3> white = rgb(white_light.data());
     in_parallel(pixels, [&](std::size_t p) {
       std::array<double, 4> surface{}, arriving{}, through{}, inscatter{}, skylight{}, reflected{};
       double distance = 0, visible = 0, hits = 0;
@@ -350,11 +469,11 @@ struct SceneRenderer::Impl {
         if (!s.inside[i]) continue;
         const std::array<double, 4> light = behind(s, i);
         const auto in_air = std::size_t(s.nth_in_air[i]);
-        for (std::size_t k = 0; k < 4; ++k) {
+        for (std::size_t k = 0; k < channels; ++k) {
           surface[k] += light[k];
-          arriving[k] += light[k] * s.transmittance[4 * in_air + k];
-          through[k] += s.transmittance[4 * in_air + k];
-          inscatter[k] += s.inscatter[4 * in_air + k];
+          arriving[k] += light[k] * s.transmittance[channels * in_air + k];
+          through[k] += s.transmittance[channels * in_air + k];
+          inscatter[k] += s.inscatter[channels * in_air + k];
         }
         if (s.nth_on_ground[i] < 0) continue;
         const auto n = std::size_t(s.nth_on_ground[i]);
@@ -362,9 +481,9 @@ struct SceneRenderer::Impl {
         hits += 1;
         distance += hit.distance;
         visible += double(s.sun_visibility[n]);
-        for (std::size_t k = 0; k < 4; ++k) {
-          skylight[k] += s.skylight[4 * n + k];
-          reflected[k] += s.albedo[4 * n + k] * irradiance[k];
+        for (std::size_t k = 0; k < channels; ++k) {
+          skylight[k] += s.skylight[channels * n + k];
+          reflected[k] += s.albedo[channels * n + k] * white_light[k];
         }
         for (std::size_t c = 0; c < 3; ++c) {
           position[c] += hit.position[c];
@@ -376,11 +495,11 @@ struct SceneRenderer::Impl {
       put(out.inscatter, p, rgb(inscatter.data()), scale);
       for (std::size_t c = 0; c < 3; ++c) {
         const float leaving = out.surface[3 * p + c];
-        out.transmittance[3 * p + c] = leaving != 0
-                                           ? (out.rgb[3 * p + c] - out.inscatter[3 * p + c]) / leaving
-                                           : float((through[0] + through[1] + through[2] + through[3]) * scale / 4);
+        out.transmittance[3 * p + c] =
+            leaving != 0 ? (out.rgb[3 * p + c] - out.inscatter[3 * p + c]) / leaving
+                         : float((through[0] + through[1] + through[2] + through[3]) * scale / double(channels));
       }
-      for (std::size_t k = 0; k < 4; ++k) {
+      for (std::size_t k = 0; k < 4 && !colours; ++k) {
         out.spectral_surface[4 * p + k] = float(surface[k] * scale);
         out.spectral_transmittance[4 * p + k] = float(surface[k] > 0 ? arriving[k] / surface[k] : through[k] * scale);
         out.spectral_inscatter[4 * p + k] = float(inscatter[k] * scale);
@@ -402,6 +521,8 @@ SceneRenderer::SceneRenderer(const Sky& sky, std::shared_ptr<const Land> land, c
 SceneRenderer::~SceneRenderer() = default;
 
 SceneRenderer::Answer SceneRenderer::at(double u, double v) const { return impl_->at(u, v); }
+
+std::vector<char> SceneRenderer::sky_pixels() const { return impl_->sky_pixels(); }
 
 int SceneRenderer::width() const { return impl_->width; }
 const Terrain& SceneRenderer::terrain() const { return impl_->terrain; }

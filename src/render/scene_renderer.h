@@ -45,7 +45,7 @@ struct SceneRows {
   std::vector<float> sun_visibility;  ///< 1: part of the disc that land leaves visible; sky: 0
   std::vector<float> sky_irradiance;  ///< 3: on the surface, photometric, linear sRGB [lx]
   // At each of the four wavelengths of real time: radiances [W m^-2 sr^-1 nm^-1], and transmittance, by which what leaves the pixel's
-  // surfaces comes to the eye.
+  // surfaces comes to the eye. Empty for a model that answers in colours.
   std::vector<float> spectral_surface, spectral_transmittance, spectral_inscatter;
 };
 
@@ -59,7 +59,7 @@ class SceneRenderer {
   const Terrain& terrain() const;
   int width() const;  ///< of the picture [pixels]: a cube's six faces lie side by side
 
-  /// What one line of sight brings, spectrally, at the four wavelengths of real time.
+  /// What one line of sight brings, spectrally, at the four wavelengths of real time; or in red, green and blue, and 0.
   struct Answer {
     Direction view, sun, view_in_scene;                       ///< view and sun in the eye's own frame; unit
     double distance;                                          ///< [m]; infinite: the sky
@@ -68,6 +68,9 @@ class SceneRenderer {
   /// @param u, v  picture coordinates: (0, 0) top left, (1, 1) bottom right
   /// @throws InputError outside a fisheye's circle
   Answer at(double u, double v) const;
+
+  /// Whether each pixel's middle looks past all ground, rows from the top.
+  std::vector<char> sky_pixels() const;
 
   /// @param rows    called with strips from top to bottom, from the calling thread; false stops
   /// @param layers  false: `rgb` alone, the rest is empty

@@ -177,8 +177,30 @@ struct Terrain::Impl {
       const bool met = p.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID;
       const float normal[3] = {p.hit.Ng_x[i], p.hit.Ng_y[i], p.hit.Ng_z[i]};
       const double distance = met ? begin[i] + double(p.ray.tfar[i]) : std::numeric_limits<double>::infinity();
-      finish(asked[std::size_t(i)], distance, normal, p.hit.primID[i], answers[std::size_t(i)]);
+      TerrainHit& hit = answers[std::size_t(i)];
+      finish(asked[std::size_t(i)], distance, normal, p.hit.primID[i], hit);
+      if (hit.mesh) hit.tile = p.hit.primID[i], hit.u = p.hit.u[i], hit.v = p.hit.v[i];
     }
+  }
+
+  TerrainTriangle triangle(const TerrainHit& hit) const {
+    // Embree runs u and v over all cells of a grid, and cuts each from its lower right corner to its upper left.
+    constexpr int last = TileMesh::grid_side - 2;
+    const double x = double(hit.u) * (last + 1), y = double(hit.v) * (last + 1);
+    const int i = std::clamp(int(x), 0, last), j = std::clamp(int(y), 0, last);
+    const double fx = std::clamp(x - i, 0.0, 1.0), fy = std::clamp(y - j, 0.0, 1.0);
+    const bool upper = fx + fy > 1;
+    const auto number = [&](int di, int dj) {
+      return (std::size_t(hit.tile) * TileMesh::grid_side + std::size_t(j + dj)) * TileMesh::grid_side +
+             std::size_t(i + di);
+    };
+    TerrainTriangle triangle{{number(upper, upper), number(!upper, upper), number(upper, !upper)}, {}, {}};
+    triangle.weights = upper ? std::array{fx + fy - 1, 1 - fx, 1 - fy} : std::array{1 - fx - fy, fx, fy};
+    for (std::size_t c = 0; c < 3; ++c) {
+      const std::array<float, 3>& vertex = mesh.vertices()[triangle.numbers[c]];
+      for (std::size_t k = 0; k < 3; ++k) triangle.corners[c][k] = centre[k] + double(vertex[k]);
+    }
+    return triangle;
   }
 
   /// Clears `valid` of those points whose ray towards a direction is blocked.
@@ -363,6 +385,8 @@ void Terrain::hits(std::span<const SceneRay> rays, std::span<TerrainHit> hits) c
     impl_->hits(rays.subspan(begin, count), hits.subspan(begin, count));
   });
 }
+
+TerrainTriangle Terrain::triangle(const TerrainHit& hit) const { return impl_->triangle(hit); }
 
 void Terrain::sun_visibility(std::span<const SunQuestion> points, Direction sun, double angular_radius,
                              std::span<float> fraction) const {

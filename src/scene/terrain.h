@@ -35,7 +35,16 @@ struct TerrainHit {
   std::array<float, 3> shading_normal{};  ///< smooth over triangles; unit
   float slope = 0;                        ///< angle between shading normal and local vertical [rad]
   bool mesh = false;                      ///< false: the plain beyond all triangles
+  std::uint32_t tile = 0;                 ///< where the mesh is met: its tile, and coordinates 0 .. 1 in that
+  float u = 0, v = 0;
   bool hit() const { return distance < std::numeric_limits<double>::infinity(); }
+};
+
+/// The triangle of the mesh that a hit lies on.
+struct TerrainTriangle {
+  std::array<std::size_t, 3> numbers;  ///< of its corners; triangles of a tile that share a corner share its number
+  std::array<Position, 3> corners;
+  std::array<double, 3> weights;  ///< barycentric coordinates of the hit: they add up to 1
 };
 
 /// A point of the ground that asks how much of the sun it sees.
@@ -61,6 +70,9 @@ class Terrain {
 
   /// Nearest ground along each ray, on all cores. A ray that meets the planet always hits.
   void hits(std::span<const SceneRay> rays, std::span<TerrainHit> hits) const;
+
+  /// @param hit  of this terrain's mesh
+  TerrainTriangle triangle(const TerrainHit& hit) const;
 
   /// Fraction of the sun's disc in [0, 1] that terrain leaves free, on all cores: two rays tell whole sun or none;
   /// where limbs differ, the height of the horizon across the disc is found by bisection and taken as level.

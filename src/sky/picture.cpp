@@ -5,6 +5,7 @@
 #include "airlight/error.h"
 #include "optics/colour.h"
 #include "sky/camera.h"
+#include "sky/channel_colours.h"
 #include "sky/checks.h"
 #include "sky/sky_impl.h"
 
@@ -12,17 +13,6 @@ namespace airlight {
 namespace {
 
 using Row = std::array<double, 3>;
-
-/// What a unit of each channel adds to linear sRGB [cd/m^2].
-std::vector<Row> srgb_weights(const Atmosphere& atmosphere, std::span<const double> wavelengths) {
-  std::vector<Row> weights;
-  for (const Xyz& xyz : colour_weights(atmosphere, wavelengths)) weights.push_back(xyz_to_srgb(xyz));
-  return weights;
-}
-/// The channels are red, green and blue already.
-std::vector<Row> primaries(double luminance) {
-  return {{luminance, 0, 0}, {0, luminance, 0}, {0, 0, luminance}, {0, 0, 0}};
-}
 
 /// The w-th to the last of four, or nothing where there are fewer.
 std::array<Row, 4> four_at(const std::vector<Row>& weights, std::size_t w) {
@@ -65,7 +55,7 @@ Sky::Impl::Draw Sky::Impl::draw_for(const Camera& camera, const Direction& to_su
   }
   b.set("camera", camera_fields(camera));
   b.set("observer", observer_fields(to_sun, s.altitude));
-  b.set("sun_direction", Fields{{"direction", {to_sun[0], to_sun[1], to_sun[2], 0}}});
+  b.set("sun_direction", sun_direction_fields(to_sun));
   b.set("display", std::move(display));
   const PassInfo& pass = kernel_pass(model->picture(s));
   return {&pass, b.parameters(pass, {camera.width, camera.height, 1}), b.inputs(pass)};

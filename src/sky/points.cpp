@@ -3,6 +3,7 @@
 
 #include "airlight/error.h"
 #include "sky/checks.h"
+#include "sky/colour_answers.h"
 #include "sky/sky_impl.h"
 
 namespace airlight {
@@ -26,15 +27,20 @@ Shape shape_for(std::size_t questions) {
   return {int((questions + rows - 1) / rows), int(rows), 1};
 }
 
-/// Copies four wavelengths' answers, from the w-th on, into questions x wavelengths.
-void copy_out(Engine& engine, const Table& table, std::size_t w, std::size_t wavelengths, std::span<double> out) {
+/// Copies one run's answers into questions x wavelengths.
+void copy_out(Engine& engine, const Table& table, const Run& run, std::size_t wavelengths, std::span<double> out) {
   if (out.empty()) return;
   if (wavelengths == 4 && out.size() == 4 * table.shape.texels()) return engine.read(table, out);
   std::vector<double> texels(4 * table.shape.texels());
   engine.read(table, texels);
   for (std::size_t i = 0; i < out.size() / wavelengths; ++i) {
-    for (std::size_t k = 0; k < 4 && w + k < wavelengths; ++k) out[i * wavelengths + w + k] = texels[4 * i + k];
+    for (const auto& [component, w] : run.parts) out[i * wavelengths + w] = texels[4 * i + component];
   }
+}
+
+bool takes(const PassInfo& pass, std::string_view argument) {
+  const auto named = [&](const ArgumentInfo& a) { return a.name == argument; };
+  return std::ranges::any_of(pass.parameters, named) || std::ranges::any_of(pass.tables, named);
 }
 
 }  // namespace
@@ -60,10 +66,11 @@ void Sky::Impl::haze(double altitude, const Direction& sun, std::span<const Sigh
                      std::span<double> transmittance) {
   const Situation s = situation(altitude, datum_for(altitude));
   const std::string_view pass = model->haze(s);
+  if (shadows && (pass.empty() || !takes(kernel_pass(pass), "shadow"))) {
+    throw InputError("model " + std::string(model->name) + " cannot shade the air for an observer at " +
+                     number_text(altitude) + " m");
+  }
   if (pass.empty()) {
-    if (shadows)
-      throw InputError("model " + std::string(model->name) + " cannot shade the air for an observer at " +
-                       number_text(altitude) + " m");
     march_haze(altitude, sun, points, wavelengths, inscatter, transmittance);
     return;
   }
@@ -79,9 +86,11 @@ void Sky::Impl::haze(double altitude, const Direction& sun, std::span<const Sigh
   const double datum = datum_for(altitude);
   const Table shadow_map = shadows ? cast(*shadows, datum) : engine->upload({2, 2, 1}, std::vector<double>(16, 0.0));
   const AirShadows map = shadows ? *shadows : AirShadows{};
-  for (std::size_t w = 0; w < wavelengths.size(); w += 4) {
-    Binder b = binder(*model, quad_at(wavelengths, w), altitude);
+  const std::size_t W = answers_for(*model, wavelengths);
+  for (const Run& run : runs_for(*model, wavelengths)) {
+    Binder b = binder(*model, run.quad, altitude);
     b.set("observer", observer_fields(sun, s.altitude));
+    b.set("sun_direction", sun_direction_fields(sun));
     b.set("shadow", Fields{{"across", {map.across.begin(), map.across.end()}},
                            {"along", {map.along.begin(), map.along.end()}},
                            {"highest", {shadows ? map.highest - datum : -1}},
@@ -90,8 +99,8 @@ void Sky::Impl::haze(double altitude, const Direction& sun, std::span<const Sigh
     b.set("points", sight_table);
     b.set("offsets", offset_table);
     const std::vector<Table> answers = b.run_once(pass, shape);
-    copy_out(*engine, answers[0], w, wavelengths.size(), inscatter);
-    copy_out(*engine, answers[1], w, wavelengths.size(), transmittance);
+    copy_out(*engine, answers[0], run, W, inscatter);
+    copy_out(*engine, answers[1], run, W, transmittance);
   }
 }
 
@@ -107,6 +116,28 @@ void Sky::Impl::surface(std::span<const SurfacePoint> points, double sun_zenith_
   }
   const Table place_table = engine->lend(shape, places), normal_table = engine->lend(shape, normals);
 
+  std::vector<double> colours;
+  const std::size_t W = answers_for(*model, wavelengths);
+  for (const Run& run : runs_for(*model, wavelengths)) {
+    Binder b = binder(*model, run.quad, 0);
+    model->colours ? light_in_colours(b, sun_zenith_cosine) : light_from_air(b, sun_zenith_cosine);
+    if (W != 4 || points.size() != shape.texels()) {
+      colours.assign(4 * shape.texels(), 0.0);
+      for (std::size_t i = 0; i < shape.texels(); ++i) {
+        for (const auto& [component, w] : run.parts)
+          colours[4 * i + component] = albedo[std::min(i, points.size() - 1) * W + w];
+      }
+    }
+    b.set("places", place_table);
+    b.set("normals", normal_table);
+    b.set("albedos", engine->lend(shape, colours.empty() ? albedo : colours));
+    const std::vector<Table> answers = b.run_once(model->surface, shape);
+    copy_out(*engine, answers[0], run, W, radiance);
+    copy_out(*engine, answers[1], run, W, skylight);
+  }
+}
+
+void Sky::Impl::light_from_air(Binder& b, double sun_zenith_cosine) {
   // The sky is known for a few altitudes, dense near the ground as the kernel has it, and a few Suns.
   constexpr int azimuths = 12, tilts = 13, altitudes = 12, suns = 5;
   constexpr double spread = 0.0524;  // 3 degrees
@@ -122,35 +153,28 @@ void Sky::Impl::surface(std::span<const SurfacePoint> points, double sun_zenith_
     set_texel(sun_rows, std::size_t(i), 1e15, std::sqrt(1 - mu_s * mu_s), 0, mu_s);
   }
   const Shape rows{1, altitudes * suns, 1};
-  std::vector<double> colours;
-  const std::size_t W = wavelengths.size();
-  for (std::size_t w = 0; w < W; w += 4) {
-    Binder b = binder(*model, quad_at(wavelengths, w), 0);
-    b.set("grid", Fields{{"azimuths", {double(azimuths)}},
-                         {"tilts", {double(tilts)}},
-                         {"altitudes", {double(altitudes)}},
-                         {"suns", {double(suns)}},
-                         {"highest", {highest}},
-                         {"low_sun", {low_sun}},
-                         {"high_sun", {high_sun}}});
-    b.set("eyes", engine->upload(rows, eyes));
-    b.set("suns", engine->upload(rows, sun_rows));
-    b.set("sky_light", b.run(model->sky_light, {256, altitudes * suns, 1})[0]);
-    b.set("skylight", b.run("core.skylight", {azimuths, tilts * altitudes, suns})[0]);
-    if (W != 4 || points.size() != shape.texels()) {
-      colours.resize(4 * shape.texels());
-      for (std::size_t i = 0; i < shape.texels(); ++i) {
-        for (std::size_t k = 0; k < 4; ++k)
-          colours[4 * i + k] = albedo[std::min(i, points.size() - 1) * W + std::min(w + k, W - 1)];
-      }
-    }
-    b.set("places", place_table);
-    b.set("normals", normal_table);
-    b.set("albedos", engine->lend(shape, colours.empty() ? albedo : colours));
-    const std::vector<Table> answers = b.run_once("core.surface", shape);
-    copy_out(*engine, answers[0], w, W, radiance);
-    copy_out(*engine, answers[1], w, W, skylight);
-  }
+  b.set("grid", Fields{{"azimuths", {double(azimuths)}},
+                       {"tilts", {double(tilts)}},
+                       {"altitudes", {double(altitudes)}},
+                       {"suns", {double(suns)}},
+                       {"highest", {highest}},
+                       {"low_sun", {low_sun}},
+                       {"high_sun", {high_sun}}});
+  b.set("eyes", engine->upload(rows, eyes));
+  b.set("suns", engine->upload(rows, sun_rows));
+  b.set("sky_light", b.run(model->sky_light, {256, altitudes * suns, 1})[0]);
+  b.set("skylight", b.run("core.skylight", {azimuths, tilts * altitudes, suns})[0]);
+}
+
+void Sky::Impl::light_in_colours(Binder& b, double sun_zenith_cosine) {
+  const Direction sun{std::sqrt(1 - sun_zenith_cosine * sun_zenith_cosine), 0, sun_zenith_cosine};
+  b.set("sun_direction", sun_direction_fields(sun));
+  if (!takes(kernel_pass(model->surface), "skylight")) return;
+  const Shape one{1, 1, 1};
+  b.set("eyes", engine->upload(one, std::vector<double>{0, 0, 0, 1}));
+  b.set("suns", engine->upload(one, std::vector<double>{1e15, sun[0], sun[1], sun[2]}));
+  b.set("sky_light", b.run(model->sky_light, {256, 1, 1})[0]);
+  b.set("skylight", b.run("core.sky_irradiance", one)[0]);
 }
 
 // The same question asked of the model's rays.
@@ -163,10 +187,9 @@ void Sky::Impl::march_haze(double altitude, const Direction& sun, std::span<cons
     which.push_back(rays.size());
     rays.push_back({altitude, unit(p.view), sun, p.distance});
   }
-  const auto into = [&](std::span<double> out) {
-    return [&wavelengths, out](std::size_t ray, std::size_t w, double value) {
-      out[ray * wavelengths.size() + w] = value;
-    };
+  if (model->colours) check_answerable(*model, Quantity::transmittance, rays);
+  const auto into = [W = answers_for(*model, wavelengths)](std::span<double> out) {
+    return [W, out](std::size_t ray, std::size_t w, double value) { out[ray * W + w] = value; };
   };
   answer(Quantity::radiance, rays, which, wavelengths, *model, into(inscatter));
   answer(Quantity::transmittance, rays, which, wavelengths, *model, into(transmittance));
@@ -176,7 +199,7 @@ void Sky::haze(double altitude, Direction sun, std::span<const Sight> points, st
                const AirShadows* shadows, std::span<double> inscatter, std::span<double> transmittance) const {
   check_altitude(altitude, impl_->atmosphere.planet.ground_radius, {nullptr, "altitude"});
   const Direction to_sun = checked_unit(sun, {nullptr, "sun"});
-  const std::size_t expected = points.size() * wavelengths.size();
+  const std::size_t W = answers_for(*impl_->model, wavelengths), expected = points.size() * W;
   check(inscatter.size() == expected, "size of inscatter", double(inscatter.size()), "points times wavelengths");
   check(transmittance.size() == expected, "size of transmittance", double(transmittance.size()),
         "points times wavelengths");
@@ -185,16 +208,16 @@ void Sky::haze(double altitude, Direction sun, std::span<const Sight> points, st
     check(points[i].offset >= 0 && points[i].offset < 1, {"point", "offset", i}, points[i].offset, "0 .. 1");
     check_unit(points[i].view, {"point", "view", i});
   }
-  if (points.empty() || wavelengths.empty()) return;
+  if (points.empty() || W == 0) return;
   impl_->haze(altitude, to_sun, points, wavelengths, shadows, inscatter, transmittance);
 }
 
 void Sky::surface(std::span<const SurfacePoint> points, double sun_zenith_cosine, std::span<const double> wavelengths,
                   std::span<const double> albedo, std::span<double> radiance, std::span<double> skylight) const {
   check(std::abs(sun_zenith_cosine) <= 1, "sun_zenith_cosine", sun_zenith_cosine, "-1 .. 1");
-  if (impl_->model->colours)
+  if (impl_->model->surface.empty())
     throw InputError("model " + std::string(impl_->model->name) + " says nothing on light that surfaces reflect");
-  const std::size_t expected = points.size() * wavelengths.size();
+  const std::size_t W = answers_for(*impl_->model, wavelengths), expected = points.size() * W;
   check(albedo.size() == expected, "size of albedo", double(albedo.size()), "points times wavelengths");
   check(radiance.size() == expected, "size of radiance", double(radiance.size()), "points times wavelengths");
   check(skylight.empty() || skylight.size() == expected, "size of skylight", double(skylight.size()),
@@ -209,8 +232,7 @@ void Sky::surface(std::span<const SurfacePoint> points, double sun_zenith_cosine
     check(p.sky_view >= 0 && p.sky_view <= 1, {"point", "sky_view", i}, p.sky_view, "0 .. 1");
   }
   for (const double a : albedo) check(a >= 0 && a <= 1, "albedo", a, "0 .. 1");
-  if (!points.empty() && !wavelengths.empty())
-    impl_->surface(points, sun_zenith_cosine, wavelengths, albedo, radiance, skylight);
+  if (!points.empty() && W > 0) impl_->surface(points, sun_zenith_cosine, wavelengths, albedo, radiance, skylight);
 }
 
 }  // namespace airlight

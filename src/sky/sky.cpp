@@ -37,26 +37,6 @@ Ray from_entry(const Ray& ray, double ground_radius, double top) {
   return inside;
 }
 
-/// One run of the passes: its wavelengths, and which component of its texels answers which wavelength asked.
-struct Run {
-  Quad quad{};
-  std::vector<std::pair<std::size_t, std::size_t>> parts;  // component, index of the wavelength
-};
-std::vector<Run> runs_for(const Model& model, std::span<const double> wavelengths) {
-  std::vector<Run> runs;
-  if (model.colours) {
-    Run& run = runs.emplace_back();
-    for (const std::size_t component : colour_components(model, wavelengths))
-      run.parts.push_back({component, run.parts.size()});
-    return runs;
-  }
-  for (std::size_t w = 0; w < wavelengths.size(); w += 4) {
-    Run& run = runs.emplace_back(Run{quad_at(wavelengths, w), {}});
-    for (std::size_t k = 0; k < 4 && w + k < wavelengths.size(); ++k) run.parts.push_back({k, w + k});
-  }
-  return runs;
-}
-
 }  // namespace
 
 void Sky::Impl::answer(Quantity quantity, std::span<const Ray> rays, std::span<const std::size_t> which,
@@ -123,7 +103,7 @@ std::array<double, 4> Sky::realtime_wavelengths() const { return realtime_quad; 
 void Sky::evaluate(Quantity quantity, std::span<const Ray> rays, std::span<const double> wavelengths,
                    std::span<double> out, int max_order) const {
   const Model& own = *impl_->model;
-  const std::size_t W = own.colours ? colour_components(own, wavelengths).size() : wavelengths.size();
+  const std::size_t W = answers_for(own, wavelengths);
   if (out.size() != rays.size() * W) {
     throw InputError("size of out = " + std::to_string(out.size()) + ": expected " + std::to_string(rays.size() * W) +
                      ", rays times wavelengths");

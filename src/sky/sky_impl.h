@@ -11,6 +11,7 @@
 #include "optics/bake.h"
 #include "optics/number_text.h"
 #include "sky/binder.h"
+#include "sky/runs.h"
 
 namespace airlight {
 
@@ -23,12 +24,8 @@ inline Fields observer_fields(const Direction& sun, double altitude) {
   return {{"sun", {sun[0], sun[1], sun[2], 0}}, {"altitude", {altitude}}};
 }
 
-/// Four wavelengths from the w-th on; the last stands for those that are missing.
-inline Quad quad_at(std::span<const double> wavelengths, std::size_t w) {
-  Quad quad;
-  for (std::size_t k = 0; k < 4; ++k) quad[k] = wavelengths[std::min(w + k, wavelengths.size() - 1)];
-  return quad;
-}
+/// The kernels' struct SunDirection.
+inline Fields sun_direction_fields(const Direction& sun) { return {{"direction", {sun[0], sun[1], sun[2], 0}}}; }
 
 // Below the ground sphere the ground lies just below the eye.
 inline constexpr double eye_height = 1;  // [m]
@@ -118,6 +115,10 @@ struct Sky::Impl {
                   std::span<const double> wavelengths, std::span<double> inscatter, std::span<double> transmittance);
   void surface(std::span<const SurfacePoint> points, double sun_zenith_cosine, std::span<const double> wavelengths,
                std::span<const double> albedo, std::span<double> radiance, std::span<double> skylight);
+  /// Binds what the surfaces of a system of colours are lit by.
+  void light_in_colours(Binder& b, double sun_zenith_cosine);
+  /// The same of air with tables: the sky over altitudes and suns.
+  void light_from_air(Binder& b, double sun_zenith_cosine);
 };
 
 }  // namespace airlight

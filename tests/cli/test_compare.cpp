@@ -52,8 +52,9 @@ TEST(Compare, the_table_tells_the_pictures_differences) {
   std::sort(errors.begin(), errors.end());
   const std::string csv = read_file(folder / "out/compare.csv");
   const std::vector<double> own = row_of(csv, "single"), other = row_of(csv, "skyview");
-  ASSERT_EQ(own.size(), 8u);
-  ASSERT_EQ(other.size(), 8u);
+  ASSERT_EQ(own.size(), 9u);
+  ASSERT_EQ(other.size(), 9u);
+  EXPECT_EQ(other[8], 1) << "absolute units are compared as they are";
   for (std::size_t i = 0; i < 5; ++i) EXPECT_EQ(own[i], 0) << "the yardstick differs not from itself";
   // The table is rounded to 0.01; the index of a quantile of 2304 values is exact.
   EXPECT_NEAR(other[0], 100 * errors[std::size_t(0.5 * double(errors.size() - 1))], 0.011);
@@ -67,6 +68,33 @@ TEST(Compare, the_table_tells_the_pictures_differences) {
   EXPECT_GT(sheet.width, 2 * 64);
   EXPECT_GT(sheet.height, 2 * 36 + 2 * 30);
   EXPECT_TRUE(read_file(folder / "out/compare.md").starts_with("| model "));
+}
+
+// Relative colours are brought to the yardstick's sky: the geometric mean of its luminance is the same.
+TEST(Compare, scales_relative_colours_once) {
+  const Folder folder;
+  write_file(folder / "scene.toml", scene_text);
+  const Outcome outcome =
+      run(folder, {"compare", "scene.toml", "--models", "hoffman_preetham,jetlag", "-o", "out", "--float", "--no-sun"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  ASSERT_EQ(run(folder, {"render", "scene.toml", "-o", "depth.exr", "--aov", "depth"}).code, 0);
+  const std::vector<float> depth = read_picture(folder / "depth.exr").layers.at("Z");
+  const Picture yardstick = read_picture(folder / "out/single.exr");
+  const std::string csv = read_file(folder / "out/compare.csv");
+  for (const char* model : {"hoffman_preetham", "jetlag"}) {
+    const Picture picture = read_picture(folder / (std::string("out/") + model + ".exr"));
+    double sum = 0, sky = 0;
+    for (int y = 0; y < 36; ++y) {
+      for (int x = 0; x < 64; ++x) {
+        if (!std::isinf(depth[std::size_t(64 * y + x)])) continue;
+        sum += std::log(double(picture.luminance(x, y)) / double(yardstick.luminance(x, y)));
+        ++sky;
+      }
+    }
+    ASSERT_GT(sky, 100);
+    EXPECT_NEAR(sum / sky, 0, 1e-4) << model;
+    EXPECT_NE(row_of(csv, model).at(8), 1) << model;
+  }
 }
 
 TEST(Compare, bad_words_are_named_and_nothing_is_written) {

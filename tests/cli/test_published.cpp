@@ -121,5 +121,56 @@ TEST(PublishedModels, list_their_parameters_and_presets) {
   FAIL() << "hoffman_preetham is not listed";
 }
 
+TEST(PublishedScene, draws_land_with_what_the_command_line_says_instead) {
+  const Folder folder;
+  write_file(folder / "s.toml",
+             "[sun]\nelevation = 10\n[camera]\nwidth = 32\nheight = 18\nheight_above_ground = 300\n[relief]\nseed = 1\n"
+             "[picture]\nmodel = \"hoffman_preetham\"\nair_shadows = false\n[hoffman_preetham]\npreset = \"clear\"\n");
+  const auto render = [&](std::vector<std::string> words) {
+    words.insert(words.begin(), {"render", "s.toml", "-o", "s.exr"});
+    return run(folder, words);
+  };
+  for (const char* renderer : {"vertex", "texture", "pixel"})
+    EXPECT_EQ(render({"--set", std::string("renderer=") + renderer}).code, 0) << renderer;
+  EXPECT_EQ(render({"--preset", "mars", "--aov", "all"}).code, 0);
+  EXPECT_EQ(render({"--model", "jetlag"}).code, 0);
+  const auto refused = [&](std::vector<std::string> words, const char* why) {
+    const Outcome outcome = render(std::move(words));
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_NE(outcome.err.find(why), std::string::npos) << outcome.err;
+  };
+  refused({"--set", "g=2"}, "hoffman_preetham.g = 2: expected -0.999 .. 0.999");
+  refused({"--set", "show=wireframe"}, "sky alone");
+  refused({"--aov", "spectral"}, "--aov spectral: model hoffman_preetham draws in red, green and blue");
+  refused({"--model", "codeflow"}, "expected a scene without terrain and relief");
+}
+
+TEST(PublishedProbe, answers_in_red_green_and_blue) {
+  const Folder folder;
+  // G1.17 and G1.15 of the specification: 45 degrees above the horizon towards the sun, whose zenith angle is 30 degrees.
+  const Outcome outcome = run(folder, {"probe", "--model", "hoffman_preetham", "--set", "sunlight=dome",
+                                       "--sun-elevation", "60", "--view-zenith", "45", "--json"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const json answer = json::parse(outcome.out);
+  const double expected[] = {0.0259282, 0.0292621, 0.0354699};
+  for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(answer["radiance"][c].get<double>(), expected[c], 3e-4 * expected[c]);
+  EXPECT_EQ(answer["wavelengths"], (json::array({650, 570, 475})));
+  EXPECT_EQ(answer["units"]["radiance"], "relative");
+  EXPECT_GT(answer["sky_irradiance"][2].get<double>(), answer["sky_irradiance"][0].get<double>()) << "a blue sky";
+  const json codeflow = json::parse(
+      run(folder, {"probe", "--model", "codeflow", "--sun-elevation", "30", "--view-zenith", "45", "--json"}).out);
+  EXPECT_FALSE(codeflow.contains("sun_irradiance")) << "it says nothing on that";
+  EXPECT_NE(run(folder, {"probe", "--model", "jetlag", "--sun-elevation", "30"}).out.find("red"), std::string::npos);
+  const auto refused = [&](std::vector<std::string> words, const char* why) {
+    words.insert(words.begin(), {"probe", "--sun-elevation", "30"});
+    const Outcome bad = run(folder, words);
+    EXPECT_EQ(bad.code, 2);
+    EXPECT_NE(bad.err.find(why), std::string::npos) << bad.err;
+  };
+  refused({"--model", "codeflow", "--wavelengths", "550"}, "answers in red, green and blue");
+  refused({"--model", "rama", "--max-order", "1"}, "--max-order = 1");
+  refused({"--set", "g=0"}, "model skyview has no parameters");
+}
+
 }  // namespace
 }  // namespace airlight

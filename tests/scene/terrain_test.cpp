@@ -274,5 +274,38 @@ TEST(Terrain, mesh_keeps_to_its_bounds_and_to_the_pixel) {
   EXPECT_GE(tree.half_side(), land->extent());
 }
 
+// Embree's coordinates of a hit, turned into the triangle they mean: its corners, weighted, are the hit.
+TEST(Terrain, the_corners_of_a_triangle_weighted_are_the_hit) {
+  const auto land = range();
+  const Position eye = land->frame().position({0, -20'000, 4000});
+  const Terrain terrain(land, coarse(eye, 0.004));
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  std::vector<SceneRay> rays;
+  for (int i = 0; i < 2000; ++i) rays.push_back({eye, towards(unit(random), -0.25 + 0.2 * unit(random))});
+  std::vector<TerrainHit> hits(rays.size());
+  terrain.hits(rays, hits);
+  int met = 0;
+  for (const TerrainHit& hit : hits) {
+    if (!hit.hit() || !hit.mesh) continue;
+    ++met;
+    const TerrainTriangle t = terrain.triangle(hit);
+    double sum = 0;
+    for (const double weight : t.weights) {
+      EXPECT_GE(weight, -1e-6);
+      sum += weight;
+    }
+    EXPECT_NEAR(sum, 1, 1e-12);
+    const double size = std::hypot(t.corners[1][0] - t.corners[0][0], t.corners[1][1] - t.corners[0][1]);
+    for (std::size_t k = 0; k < 3; ++k) {
+      double place = 0;
+      for (std::size_t c = 0; c < 3; ++c) place += t.weights[c] * t.corners[c][k];
+      // Embree's u and v are floats over a whole tile.
+      EXPECT_NEAR(place, hit.position[k], 0.01 * size + 0.05);
+    }
+  }
+  EXPECT_GT(met, 1000);
+}
+
 }  // namespace
 }  // namespace airlight

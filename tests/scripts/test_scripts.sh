@@ -12,7 +12,7 @@ fail() {
   failures=$((failures + 1))
 }
 
-for script in setup demo test bench format; do
+for script in setup demo test bench format gallery; do
   "$repository/script/$script" --help | grep -q "^usage: script/$script" || fail "script/$script --help"
   [ "$script" = bench ] && continue  # hands its arguments on
   status=0
