@@ -9,6 +9,7 @@
 #include "answers.h"
 #include "commands.h"
 #include "interrupt.h"
+#include "model/model.h"
 #include "number.h"
 #include "options.h"
 #include "progress.h"
@@ -31,7 +32,7 @@ struct Report {
   std::string text;
 };
 
-/// Models that know any wavelength, and random walks unless there is no time.
+/// Models that know any wavelength, and random walks; where there is no time, those alone whose tables cost little.
 std::vector<std::string> judged(const ValidateOptions& options) {
   if (!options.models.empty()) {
     for (const std::string& name : options.models) check_model_name(name, "--model", answering_models());
@@ -39,7 +40,7 @@ std::vector<std::string> judged(const ValidateOptions& options) {
   }
   std::vector<std::string> names;
   for (const ModelInfo& model : models())
-    if (!model.colours) names.emplace_back(model.name);
+    if (!model.colours && !(options.quick && find_model(model.name).orders)) names.emplace_back(model.name);
   if (!options.quick) names.emplace_back("reference");
   return names;
 }

@@ -45,11 +45,13 @@ bool made_for_published(const YardstickRay& ray) {
 /// Of the tables that answering rays needs, through those that make them.
 double table_bytes(const Model& model, const Situation& situation) {
   constexpr double texel = 4 * sizeof(float);
+  std::vector<TablePass> makers = model.tables;
+  if (model.orders) makers.insert(makers.end(), {model.orders->source, model.orders->ground_light});
   std::set<std::string_view> made;
   double bytes = 0;
   const std::function<void(std::string_view)> need = [&](std::string_view reader) {
     for (const ArgumentInfo& table : kernel_pass(reader).tables) {
-      for (const TablePass& maker : model.tables) {
+      for (const TablePass& maker : makers) {
         const auto& outputs = kernel_pass(maker.pass).outputs;
         if (std::ranges::find(outputs, table.name) == outputs.end() || !made.insert(maker.pass).second) continue;
         bytes += texel * double(maker.shape_for(situation).texels()) * double(outputs.size());
