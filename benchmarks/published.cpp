@@ -6,6 +6,8 @@
 #include "benchmarks.h"
 #include "clock.h"
 #include "compare.h"
+#include "model/model.h"
+#include "sky/binder.h"
 
 namespace airlight::bench {
 namespace {
@@ -21,6 +23,80 @@ std::vector<float> draw(const Sky& sky, const Camera& camera, const Direction& s
     return true;
   });
   return pixels;
+}
+
+// The air's light between places on two sides of Rama: a ray a texel, 30 samples each.
+struct RamaRays {
+  static constexpr Shape shape{512, 256};
+  const Model& model = find_model("rama");
+  Values values = model_parameters(model, {}, "");
+  Situation situation{};
+  std::vector<double> places, ends;
+
+  RamaRays() {
+    situation.parameters = &values;
+    for (int y = 0; y < shape.height; ++y) {
+      for (int x = 0; x < shape.width; ++x) {
+        const double u = (x + 0.5) / shape.width, angle = 2 * std::numbers::pi * (y + 0.5) / shape.height;
+        places.insert(places.end(), {-5, 7, 1, 0});
+        ends.insert(ends.end(), {-16 + 32 * u, 7.4 * std::cos(angle), 7.4 * std::sin(angle), 0});
+      }
+    }
+  }
+  Binder on(Engine& engine) const {
+    Binder b(engine, model, situation);
+    b.set("places", engine.upload(shape, places));
+    b.set("ends", engine.upload(shape, ends));
+    return b;
+  }
+  std::vector<float> read(Engine& engine) const {
+    std::vector<double> light(4 * shape.texels());
+    engine.read(on(engine).run_once("rama.between", shape)[0], light);
+    return {light.begin(), light.end()};
+  }
+};
+
+void jetlag(Report& report, const std::shared_ptr<Engine>& engine, const std::shared_ptr<Engine>& yardstick,
+            const Limits& limits) {
+  const Parameters clear{{"mode", "clear"}, {"jitter", std::vector{0.0}}, {"ground_reach", std::vector{0.0}}};
+  const auto camera = [](int width, int height) {
+    return Camera{.projection = Projection::perspective, .width = width, .height = height, .elevation = 0.6};
+  };
+  const Atmosphere earth = built_in_atmosphere("earth");
+  const Sky sky(earth, "jetlag", engine, clear), truth(earth, "jetlag", yardstick, clear);
+  report.check("jetlag, clear, all values against double",
+               difference(draw(sky, camera(120, 68), moving_sun(0)), draw(truth, camera(120, 68), moving_sun(0))),
+               3e-4);
+  if (!report.timing()) return;
+  draw(sky, camera(16, 9), moving_sun(0));  // its noise is uploaded once
+  // Of each of 16 steps: two exps, three of transmittance, and two each of four steps towards the Sun.
+  int n = 1;
+  report.add({"jetlag 960x540, clear, 16 x 4 steps",
+              1e9 * best_time([&] { draw(sky, camera(960, 540), moving_sun(n++)); }) / (960.0 * 540),
+              "ns/pixel",
+              210.0,
+              {},
+              limits.pixel(16 * (2 + 3 + 4 * 2), 0)});
+}
+
+void rama(Report& report, Engine& engine, Engine& yardstick, const Limits& limits) {
+  const RamaRays rays;
+  report.check("rama, the air's light against double", difference(rays.read(engine), rays.read(yardstick)), 3e-4);
+  if (!report.timing()) return;
+  const Binder binder = rays.on(engine);
+  // Three exps and the eight texels of a lookup in three dimensions each of 30 samples.
+  report.add(
+      {"rama, the air's light along a ray, 30 samples",
+       1e9 * best_time([&] { binder.run_once("rama.between", RamaRays::shape); }) / double(RamaRays::shape.texels()),
+       "ns/pixel",
+       450.0,
+       {},
+       limits.pixel(30 * 3, 30 * 8)});
+  report.add({"rama, its table of 49 x 33 x 33, from nothing", best_time([&] {
+                const auto fresh = make_engine("simd");
+                Binder(*fresh, rays.model, rays.situation).run("rama.source", {49, 33, 33});
+              }),
+              "CPU-s", 4.0});
 }
 
 }  // namespace
@@ -57,6 +133,9 @@ void published(Report& report, const MachineLimits& limits) {
                 exps_of(renderer == std::string("pixel") ? 4 : 0)});
   }
 
+  const Limits& machine = limits.at(set_of(*engine));
+  jetlag(report, engine, yardstick, machine);
+  rama(report, *engine, *yardstick, machine);
   check("codeflow", {});
   if (!report.timing()) return;
   const Sky sky(earth, "codeflow", engine);

@@ -14,6 +14,7 @@ void add_render(CLI::App& app, Command& chosen);
 void add_compare(CLI::App& app, Command& chosen);
 void add_haze(CLI::App& app, Command& chosen);
 void add_sequence(CLI::App& app, Command& chosen);
+void add_realworldz_table(CLI::App& app, Command& chosen);
 void add_tables(CLI::App& app, Command& chosen);
 void add_probe(CLI::App& app, Command& chosen);
 void add_validate(CLI::App& app, Command& chosen);  // where the reference is built in

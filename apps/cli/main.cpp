@@ -26,6 +26,7 @@ int run(int argc, char** argv) {
   add_compare(app, chosen);
   add_haze(app, chosen);
   add_sequence(app, chosen);
+  add_realworldz_table(app, chosen);
   add_tables(app, chosen);
   add_probe(app, chosen);
 #ifdef AIRLIGHT_WITH_REFERENCE

@@ -35,9 +35,14 @@ ParameterValue parse_parameter(std::string_view text) {
 
 std::string parameter_text(const ParameterValue& value) {
   if (const auto* word = std::get_if<std::string>(&value)) return *word;
+  if (const auto* picture = std::get_if<std::shared_ptr<const ParameterPicture>>(&value)) return (*picture)->name;
   std::string text;
   for (const double v : std::get<std::vector<double>>(value)) text += fmt::format("{}{}", text.empty() ? "" : ",", v);
   return text;
+}
+
+void tell_warnings(const Sky& sky) {
+  for (const std::string& warning : sky.warnings()) fmt::print(stderr, "warning: {}\n", warning);
 }
 
 void ModelOptions::add_to(CLI::App& app) {

@@ -16,6 +16,9 @@ ParameterValue parse_parameter(std::string_view text);
 /// The same, back.
 std::string parameter_text(const ParameterValue& value);
 
+/// On standard error: what the model has to say of its parameters.
+void tell_warnings(const Sky& sky);
+
 struct ModelOptions {
   std::string preset;
   std::vector<std::string> set;  ///< NAME=VALUE

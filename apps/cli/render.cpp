@@ -6,6 +6,7 @@
 
 #include "commands.h"
 #include "interrupt.h"
+#include "model_options.h"
 #include "number_option.h"
 #include "progress.h"
 #include "scene_render.h"
@@ -74,6 +75,7 @@ int run_render(const RenderOptions& options) {
   // Everything that can be wrong is found before a file is touched.
   const auto land = std::make_shared<const Land>(scene.land);
   const SceneShot shot(scene, land, engine_named(options.picture.engine), !options.picture.no_sun);
+  tell_warnings(shot.sky());
   const std::string engine = describe(shot.sky().engine());
   Metadata metadata = shot.metadata();
   metadata.push_back({"engine", engine});

@@ -7,12 +7,14 @@
 #include <iterator>
 
 #include "airlight/error.h"
+#include "blended_frames.h"
 #include "commands.h"
 #include "interrupt.h"
 #include "model/model.h"
 #include "number.h"
 #include "number_option.h"
 #include "optics/colour.h"
+#include "parameter_pictures.h"
 
 namespace airlight::cli {
 namespace {
@@ -111,11 +113,15 @@ constexpr char instead[] = "Instead of what the scene says";
 void ScenePictureOptions::add_picture_to(CLI::App& app) {
   app.add_option("--size", size, "pixels, 1 .. 16384 a side, or the width alone")->group(instead)->type_name("WxH");
   app.add_option("--samples", samples, "rays a pixel, a square number [1 .. 256]")->group(instead)->type_name("N");
+  app.add_option("--accumulate", accumulate,
+                 "mean of that many frames, clouds standing still: jetlag's pictures without their noise [1 .. 65536]")
+      ->group(instead)
+      ->type_name("N");
   app.add_option("--exposure", exposure,
                  "of a .png: auto, or EV, by which 1 cd/m2 is brightened by 2^EV [EV, -100 .. 100]")
       ->group(instead)
       ->type_name("EV");
-  app.add_option("--tone", tone, "tone curve of a .png: filmic, reinhard, clip, codeflow")
+  app.add_option("--tone", tone, "tone curve of a .png: filmic, reinhard, clip, codeflow, sqrt, exponential")
       ->group(instead)
       ->type_name("NAME");
   app.add_flag("--float", full_float, "32-bit .exr in place of half floats, which end at 65504 cd/m2");
@@ -156,6 +162,9 @@ void ScenePictureOptions::apply(Scene& scene) const {
   check_model_name(scene.picture.model, "--model", model_names());
   for (const auto& [name, value] : own.parameters())
     scene.parameters[scene.picture.model].insert_or_assign(name, value);
+  if (const auto own = scene.parameters.find(scene.picture.model); own != scene.parameters.end())
+    read_pictures(scene.picture.model, own->second);
+  if (accumulate) cli::accumulate(scene, *accumulate);
 }
 
 std::vector<Layer> ScenePictureOptions::layers() const {

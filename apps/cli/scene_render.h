@@ -29,7 +29,7 @@ struct Layer {
 struct ScenePictureOptions {
   std::string size, exposure, tone, aov, model, engine = "simd";
   ModelOptions own;
-  std::optional<int> samples;
+  std::optional<int> samples, accumulate;
   bool full_float = false, no_air_shadows = false, no_sun = false;
 
   void add_to(CLI::App& app);

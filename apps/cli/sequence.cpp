@@ -9,13 +9,16 @@
 #include <memory>
 
 #include "airlight/error.h"
+#include "blended_frames.h"
 #include "commands.h"
 #include "digest.h"
 #include "frame_names.h"
 #include "image/tone.h"
 #include "interrupt.h"
+#include "model_options.h"
 #include "movie.h"
 #include "number_option.h"
+#include "parameter_pictures.h"
 #include "progress.h"
 #include "scene_render.h"
 #include "scenefile/animation.h"
@@ -127,9 +130,10 @@ class Sequence {
   }
 
  private:
-  Scene scene_of(const Animation::Frame& frame) const {
+  Scene scene_of(const Animation::Frame& frame, int number) const {
     Scene scene = frame.scene;
     options_.picture.apply(scene);
+    number_frame(scene, number, animation_, options_.frames_per_second);
     return scene;
   }
 
@@ -144,7 +148,7 @@ class Sequence {
     int width = 0, height = 0;
     for (int number = range_.first; number <= range_.last; ++number) {
       check_interrupt();
-      const Scene scene = scene_of(animation_.frame(number));
+      const Scene scene = scene_of(animation_.frame(number), number);
       options_.picture.format(scene);
       try {
         place_camera(scene.camera, *land_of(scene));
@@ -165,7 +169,7 @@ class Sequence {
   /// and rounded, so that every run and machine finds the same.
   double exposure() {
     if (exposure_ev_) return *exposure_ev_;
-    Scene scene = scene_of(animation_.frame(options_.exposure_frame));
+    Scene scene = scene_of(animation_.frame(options_.exposure_frame), options_.exposure_frame);
     Camera& camera = scene.camera.camera;
     const int width = std::min(camera.width, 160);
     camera.height = std::max(1, int(std::lround(double(width) * camera.height / camera.width)));
@@ -190,6 +194,13 @@ class Sequence {
           std::to_string(p.no_sun), std::to_string(p.no_air_shadows),
           format.exposure_ev ? fmt::format("{}", *format.exposure_ev) : std::string("auto")})
       digest.add(piece);
+    if (const auto own = frame.scene.parameters.find(scene.picture.model); own != frame.scene.parameters.end())
+      for (const std::string& file : picture_files(scene.picture.model, own->second)) digest.add(content(file));
+    if (const auto gathering = gathering_of(scene)) {
+      digest.add(fmt::format("{} {}", p.accumulate.value_or(0), options_.frames_per_second));
+      for (int before = 1; gathering->weight > 0 && before <= BlendedFrames::run_in; ++before)
+        digest.add(animation_.frame(number - before).text);
+    }
     for (const ElevationFile& file : scene.land.files) digest.add(content(file.file));
     if (!scene.surface.image.empty()) digest.add(content(scene.surface.image));
     return digest.text();
@@ -207,7 +218,7 @@ class Sequence {
   /// @returns false where it was there
   bool make_frame(int number, const std::function<void(double)>& progress) {
     const Animation::Frame frame = animation_.frame(number);
-    const Scene scene = scene_of(frame);
+    const Scene scene = scene_of(frame, number);
     PictureFormat format = options_.picture.format(scene);
     if (outputs_.tone_mapped && !format.exposure_ev) format.exposure_ev = exposure();
     const std::string digest = digest_of(number, frame, scene, format);
@@ -215,17 +226,46 @@ class Sequence {
     if (std::ranges::all_of(names, [&](const std::string& name) { return is_made(name, digest); })) return false;
 
     const SceneShot shot(scene, land_of(scene), engine_, !options_.picture.no_sun);
+    if (number == range_.first) tell_warnings(shot.sky());
     Metadata metadata = shot.metadata();
     metadata.push_back({"engine", std::string(engine_->name())});
     metadata.push_back({"frame", double(number)});
     metadata.push_back({digest_key, digest});
     PictureOutputs files(names, shot.width(), shot.height(), format, metadata);
     try {
-      shot.paint(files, layers_, progress);
+      const auto gathering = gathering_of(scene);
+      if (gathering && gathering->weight > 0)
+        paint_blended(files, number, shot, *gathering, progress);
+      else
+        shot.paint(files, layers_, progress);
     } catch (const Interrupted&) {
       throw_interrupted();
     }
     return true;
+  }
+
+  void paint_blended(PictureOutputs& files, int number, const SceneShot& shot, const Gathering& gathering,
+                     const std::function<void(double)>& progress) {
+    if (!layers_.empty()) shot.paint(files, layers_, progress);  // says that there are none
+    const int first = blended_.first_for(number), count = number - first + 1;
+    const auto draw = [&](int at) {
+      if (at == number) return rgba(shot, (at - first) / double(count), 1.0 / count, progress);
+      const SceneShot before(scene_of(animation_.frame(at), at), land_, engine_, !options_.picture.no_sun);
+      return rgba(before, (at - first) / double(count), 1.0 / count, progress);
+    };
+    files.write(0, shot.height(), blended_.frame(number, gathering, draw));
+    files.finish();
+  }
+  static std::vector<float> rgba(const SceneShot& shot, double begin, double part,
+                                 const std::function<void(double)>& progress) {
+    std::vector<float> pixels;
+    const bool whole = shot.rows([&](int end, std::span<const float> rgb) {
+      for (std::size_t i = 0; i < rgb.size(); i += 3) pixels.insert(pixels.end(), {rgb[i], rgb[i + 1], rgb[i + 2], 1});
+      progress(begin + part * end / shot.height());
+      return !interrupted();
+    });
+    if (!whole) throw Interrupted{};
+    return pixels;
   }
 
   [[noreturn]] static void throw_interrupted() {
@@ -241,6 +281,7 @@ class Sequence {
   std::shared_ptr<const Land> land_;
   std::optional<double> exposure_ev_;
   std::map<std::string, std::string> contents_;
+  BlendedFrames blended_;
 };
 
 }  // namespace

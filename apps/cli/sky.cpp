@@ -14,6 +14,7 @@
 #include "model_options.h"
 #include "number_option.h"
 #include "options.h"
+#include "parameter_pictures.h"
 #include "picture_outputs.h"
 #include "progress.h"
 #include "spectral_colours.h"
@@ -160,7 +161,10 @@ int run_sky(const SkyOptions& options) {
   const SunPlace sun = options.sun.resolve(options.own.sun_elevation(options.machine.model));
   Atmosphere atmosphere = options.air.load();
   sun.apply_distance(atmosphere);
-  const Sky sky(atmosphere, options.machine.model, options.machine.make(), options.own.parameters());
+  Parameters own_parameters = options.own.parameters();
+  read_pictures(options.machine.model, own_parameters);
+  const Sky sky(atmosphere, options.machine.model, options.machine.make(), own_parameters);
+  tell_warnings(sky);
   if (const auto own = own_display(sky.model(), sky.parameters()))
     format = picture_format(options.exposure.empty() ? own->exposure : options.exposure,
                             options.tone.empty() ? own->tone : options.tone, options.full_float);
@@ -249,7 +253,8 @@ void add_sky(CLI::App& app, Command& chosen) {
       ->group(picture)
       ->type_name("EV");
   sky.add_option("--tone", options->tone,
-                 "tone curve of a .png: filmic, reinhard, clip, codeflow (default filmic; a published system's own)")
+                 "tone curve of a .png: filmic, reinhard, clip, codeflow, sqrt, exponential (default filmic; a "
+                 "published system's own)")
       ->group(picture)
       ->type_name("NAME");
   sky.add_flag("--float", options->full_float, "32-bit .exr in place of half floats, which end at 65504 cd/m2")

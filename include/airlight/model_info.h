@@ -22,6 +22,7 @@ struct ModelInfo {
   std::span<const ParameterInfo> parameters = {};
   std::span<const Preset> presets = {};
   const ColourModel* colours = nullptr;  ///< set: it answers in red, green and blue
+  bool gathers = false;  ///< its pictures gather frames: parameters frame, frames, frame_rate, time, still, blend
 };
 std::vector<ModelInfo> models();
 /// @throws InputError with "did you mean".

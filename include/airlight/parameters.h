@@ -1,6 +1,7 @@
 #pragma once
 #include <limits>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -9,8 +10,15 @@
 
 namespace airlight {
 
-/// A number (one), a colour or vector (several), or a word.
-using ParameterValue = std::variant<std::vector<double>, std::string>;
+/// A painted table. The core library reads no files; its name is told where parameters are listed.
+struct ParameterPicture {
+  std::string name;
+  int width = 0, height = 0;
+  std::vector<float> rgba;  ///< linear, rows from the top
+};
+
+/// A number (one), a colour or vector (several), a word, or a picture.
+using ParameterValue = std::variant<std::vector<double>, std::string, std::shared_ptr<const ParameterPicture>>;
 /// Values by name, as a person gives them: those that are not named keep their defaults.
 using Parameters = std::map<std::string, ParameterValue, std::less<>>;
 
@@ -24,6 +32,7 @@ struct ParameterInfo {
     vector,  ///< `size` numbers
     list,    ///< one number or more, up to `size`
     word,    ///< one of `words`
+    picture  ///< a ParameterPicture; a name [file] is one that is still to be read
   };
   std::string_view name;
   Kind kind = Kind::number;

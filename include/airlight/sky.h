@@ -86,6 +86,8 @@ class Sky {
   std::string_view model() const;
   /// The model's parameters, all of them.
   const Parameters& parameters() const;
+  /// What the model has to say of parameters that are legal, but break what it promises.
+  std::vector<std::string> warnings() const;
   Engine& engine() const;
 
   /// Answers one quantity for N rays at W wavelengths. A model that answers in colours (ModelInfo::colours) is asked at its nominal

@@ -16,8 +16,7 @@ struct Jetlag {
   Scalar mie_scattering;   // [1/m] in 0..1e-4
   Scalar mie_extinction;   // [1/m] in 0..1e-4
   Scalar haze;             // [1] in 0..16  density of haze at sea level: 8 with clouds, else 1
-  Scalar per_rayleigh_height;  // [1/m] in 1e-5..1e-3
-  Scalar per_mie_height;   // [1/m] in 1e-5..1e-2
+  Scalar per_height;       // [1/m] in 1e-5..1e-4  of the height that both scale heights are whole parts of: a third, a twentieth
   Scalar ground_radius;    // [m] in 1e6..1e7
   Scalar top;              // [m] in 1e4..1e5
   Scalar sun_intensity;    // [1] in 0..100
@@ -36,7 +35,8 @@ struct Jetlag {
   Scalar mie_slope;        // [1] in 0..2  1.52
   Scalar albedo;           // [1] in 0..1  of the ground
   Scalar ground_reach;     // [m] in 0..1e7  ground farther away is not seen: rays go on through the Earth, where height is 0
-  Scalar pad;              // [1] in 0..1
+  Scalar pad0;             // [1] in 0..1
+  Scalar pad1;             // [1] in 0..1
 };
 
 /// Where clouds have drifted to: offsets of the noise's four octaves, reduced by the host in double.
@@ -56,15 +56,21 @@ FN Float jetlag_gap(IN(Jetlag) jetlag, Vec3 p) { return dot(p, p) + 2.0 * jetlag
 /// @param gap [m^2] in 0..2e11
 /// @bound 2e-5 scale 1e3
 FN Float jetlag_height(IN(Jetlag) jetlag, Float gap) {
-  // R (sqrt(1 + q) - 1) as a series: its next term is 2e-8 of it up to 200 km, above which no density is left.
+  // R (sqrt(1 + q) - 1) as a series: its next term is 1e-8 of it up to 100 km, above which no density is left.
   Float q = clamp(gap * (1.0 / (jetlag.ground_radius * jetlag.ground_radius)), 0.0, 0.25);
-  return jetlag.ground_radius * q * (0.5 - q * (0.125 - q * (0.0625 - q * (0.0390625 - q * 0.02734375))));
+  return jetlag.ground_radius * q * (0.5 - q * (0.125 - q * (0.0625 - q * 0.0390625)));
 }
 
 /// Densities of molecules and of haze, relative to those of clear air at sea level [1].
 /// @param height [m] in 0..2e4
 FN Vec2 jetlag_density(IN(Jetlag) jetlag, Float height) {
-  return Vec2(exp(-height * jetlag.per_rayleigh_height), jetlag.haze * exp(-height * jetlag.per_mie_height));
+  // One exponential for both: its third power, over 8000 m, and its twentieth, over 1200 m.
+  Float part = exp(-height * jetlag.per_height);
+  Float second = part * part;
+  Float third = second * part;
+  Float fifth = second * third;
+  Float tenth = fifth * fifth;
+  return Vec2(third, jetlag.haze * tenth * tenth);
 }
 
 /// Distance along a ray to a sphere about the Earth's centre: where it enters, else where it leaves; -1 if it misses [m].
@@ -117,12 +123,19 @@ FN Float jetlag_cloud(IN(Jetlag) jetlag, IN(JetlagDrift) drift, Table2 noise, Ve
 FN Vec2 jetlag_depth(IN(Jetlag) jetlag, IN(JetlagDrift) drift, Table2 noise, Vec3 o, Vec3 direction, Float gap, Float along, Float begin, Float length, int steps, Float jitter) {
   Vec2 sum = Vec2(0.0, 0.0);
   Float step_length = length * (1.0 / Float(steps));
-  for (int i = 0; i < steps; ++i) {
-    Float s = begin + step_length * (Float(i) + jitter);
-    Float height = jetlag_height(jetlag, gap + s * (2.0 * along + s));
-    Vec2 density = jetlag_density(jetlag, height);
-    if (jetlag.clouds > 0.5) density.y = density.y + jetlag_cloud(jetlag, drift, noise, o + direction * s, height);
-    sum = sum + density;
+  // Asked once, not at each step: without clouds all of a step stays in registers.
+  if (jetlag.clouds > 0.5) {
+    for (int i = 0; i < steps; ++i) {
+      Float s = begin + step_length * (Float(i) + jitter);
+      Float height = jetlag_height(jetlag, gap + s * (2.0 * along + s));
+      sum = sum + jetlag_density(jetlag, height);
+      sum.y = sum.y + jetlag_cloud(jetlag, drift, noise, o + direction * s, height);
+    }
+  } else {
+    for (int i = 0; i < steps; ++i) {
+      Float s = begin + step_length * (Float(i) + jitter);
+      sum = sum + jetlag_density(jetlag, jetlag_height(jetlag, gap + s * (2.0 * along + s)));
+    }
   }
   return sum * step_length;
 }

@@ -5,11 +5,13 @@
 #include "jetlag/jetlag.glsl"
 // Jetlag's answers: rays, skylight, pictures. World frame: east, north, up.
 
-struct JetlagFrames {
-  Scalar count;   // [1] in 1..256  frames that make up a picture
-  Scalar blend;   // [1] in 0..1    weight of the newest, blended after encoding by square root; 0: the mean of all, in linear light
-  Scalar show;    // [1] in 0..1    0: the picture; 1: transmittance
-  Scalar pad;     // [1] in 0..1
+/// One frame of a picture.
+struct JetlagFrame {
+  Scalar4 random;  // [texel] in 0..1023  x, y: of the noise at the picture's first pixel: its random numbers
+  Scalar show;     // [1] in 0..3    0: the picture; 1: transmittance; 2: clouds at the height `slice`; 3: optical depth from there to the Sun
+  Scalar slice;    // [m] in 0..2e4
+  Scalar gain;     // [1] in 0..1    less than 1 while the intro fades in
+  Scalar pad;      // [1] in 0..1
 };
 
 /// From (east, north, up) to the kernel's (east, up, south) [1].
@@ -107,42 +109,45 @@ FN Vec4 jetlag_depth_pass(IN(Jetlag) jetlag, IN(JetlagDrift) drift, Table2 noise
   return Vec4(depth.x, depth.y, Float(0.0), Float(0.0));
 }
 
-/// A picture, linear sRGB [cd/m^2]. `drifts` holds a frame a column: where the clouds are, and in the fifth row where its random numbers are.
-FN Vec4 jetlag_picture_pass(IN(Camera) camera, IN(Observer) observer, IN(Display) display, IN(Jetlag) jetlag, IN(JetlagFrames) frames, IN(GridSize) size, Table2 noise, Table2 drifts, Vec2 uv) {
+/// Where a ray meets the height `slice` [1]: density of clouds, 1 at most; or the optical depth from there to the Sun.
+FN_SHARED Vec4 jetlag_slice(IN(Jetlag) jetlag, IN(JetlagDrift) drift, IN(JetlagFrame) frame, Table2 noise, Vec3 o, Vec3 view, Vec3 sun, Scalar jitter) {
+  Float shell = Float(frame.slice * (2.0 * jetlag.ground_radius + frame.slice));
+  Float to = jetlag_escape(jetlag_gap(jetlag, o), dot(o, view) + jetlag.ground_radius * view.y, shell);
+  Vec3 p = o + view * max(to, 0.0);
+  Vec4 shown = Vec4(0.0);
+  if (frame.show < 2.5) {
+    shown = Vec4(jetlag_cloud(jetlag, drift, noise, p, Float(frame.slice)) * (1.0 / 250.0));
+  } else {
+    Vec2 depth = jetlag_light(jetlag, drift, noise, p, sun, shell, dot(p, sun) + jetlag.ground_radius * sun.y, int(jetlag.light_steps), Float(jitter));
+    shown = Vec4(jetlag.rayleigh) * depth.x + Vec4(jetlag.mie_extinction * depth.y);
+  }
+  return select(to >= 0.0, shown, Vec4(0.0));
+}
+
+/// One frame of a picture, linear sRGB [cd/m^2].
+FN Vec4 jetlag_picture_pass(IN(Camera) camera, IN(Observer) observer, IN(Display) display, IN(Jetlag) jetlag, IN(JetlagDrift) drift, IN(JetlagFrame) frame, IN(GridSize) size, Table2 noise, Vec2 uv) {
   Float inside = Float(0.0);
   Vec3 sun = jetlag_frame(Vec3(observer.sun.x, observer.sun.y, observer.sun.z));
   Vec3 o = Vec3(Float(jetlag.eye.x), Float(observer.altitude), Float(jetlag.eye.z));
-  Vec4 sum = Vec4(0.0);
-  int count = int(frames.count);
-  for (int k = 0; k < count; ++k) {
-    JetlagDrift drift;
-    drift.first = fetch_scalar(drifts, k, 0);
-    drift.fourth = fetch_scalar(drifts, k, 1);
-    drift.ninth = fetch_scalar(drifts, k, 2);
-    drift.seventeenth = fetch_scalar(drifts, k, 3);
-    Scalar4 offset = fetch_scalar(drifts, k, 4);
-    Vec2 at = uv;
-    Vec2 jitter = Vec2(Float(jetlag.jitter.x), Float(jetlag.jitter.y));
-    if (jetlag.jitter.z > 0.5) {
-      Vec4 random = min(lookup_repeat(noise, Vec2((floor(uv.x * size.width) + offset.x + 0.5) * (1.0 / 1024.0), (floor(uv.y * size.height) + offset.y + 0.5) * (1.0 / 1024.0))), 0.999);
-      at = Vec2(uv.x + (random.x - 0.5) * (1.0 / size.width), uv.y + (random.y - 0.5) * (1.0 / size.height));
-      jitter = Vec2(random.z, random.w);
-    }
-    Vec3 view = jetlag_frame(camera_view(camera, at, inside));
+  Vec2 at = uv;
+  Vec2 jitter = Vec2(Float(jetlag.jitter.x), Float(jetlag.jitter.y));
+  if (jetlag.jitter.z > 0.5) {
+    // With the value 1 the published loop runs a step less.
+    Vec4 random = min(lookup_repeat(noise, Vec2((floor(uv.x * size.width) + frame.random.x + 0.5) * (1.0 / 1024.0), (floor(uv.y * size.height) + frame.random.y + 0.5) * (1.0 / 1024.0))), 0.999);
+    at = Vec2(uv.x + (random.x - 0.5) * (1.0 / size.width), uv.y + (random.y - 0.5) * (1.0 / size.height));
+    jitter = Vec2(random.z, random.w);
+  }
+  Vec3 view = jetlag_frame(camera_view(camera, at, inside));
+  Vec4 light = Vec4(0.0);
+  if (frame.show > 1.5) {
+    light = jetlag_slice(jetlag, drift, frame, noise, o, view, sun, jetlag.jitter.x);
+  } else {
     Vec4 transmittance = Vec4(0.0);
     Vec4 ground = Vec4(0.0);
-    Vec4 light = jetlag_ray(jetlag, drift, noise, o, view, sun, Float(1.0e30), jitter, transmittance, ground) + ground;
-    if (frames.show > 0.5) light = transmittance;
-    if (frames.blend > 0.0) {
-      Vec4 code = Vec4(sqrt(max(light.x, 0.0)), sqrt(max(light.y, 0.0)), sqrt(max(light.z, 0.0)), Float(0.0));
-      if (k == 0) sum = code;
-      sum = mix(sum, code, Float(frames.blend));
-    } else {
-      sum = sum + light * (1.0 / frames.count);
-    }
+    light = jetlag_ray(jetlag, drift, noise, o, view, sun, Float(1.0e30), jitter, transmittance, ground) + ground;
+    if (frame.show > 0.5) light = transmittance;
   }
-  if (frames.blend > 0.0) sum = sum * sum;
   // Pixels that a fisheye leaves black do not depend on the jitter.
   camera_view(camera, uv, inside);
-  return display_colour(display, sum) * inside;
+  return display_colour(display, light * frame.gain) * inside;
 }

@@ -10,6 +10,10 @@ struct RamaEye {
   Scalar c;         // [1] in -1..1  cosine and
   Scalar s;         // [1] in -1..1  sine of the angle about it
   Scalar radius;    // [km] in 7.5..8  of the ground that altitudes are counted from
+  Scalar show;      // [1] in 0..2  0: the picture; 1: slice of J through the axis and the eye; 2: across it, at the eye
+  Scalar pad0;      // [1] in 0..1
+  Scalar pad1;      // [1] in 0..1
+  Scalar pad2;      // [1] in 0..1
 };
 
 /// A direction or difference of the world in Rama's frame [1].
@@ -86,15 +90,53 @@ FN Vec4 rama_rays_pass(IN(Rama) rama, IN(RamaEye) eye, Table2 lights, Table3 sou
   return rama_gather(rama, lights, source, p, q);
 }
 
+/// Light that the air of a plane scatters [W m^-2 sr^-1 km^-1], 0 outside the hull. Along the axis: x to the right from end to end, the
+/// eye's side below; across it: the strip at 0 degrees is above, the southern end behind.
+FN_SHARED Vec4 rama_slice(IN(Rama) rama, IN(RamaEye) eye, IN(GridSize) size, Table2 lights, Table3 source, Vec2 uv) {
+  Float x = Float(eye.x);
+  Float y = 8.0 - 16.0 * uv.y;
+  Float z = (16.0 * uv.x - 8.0) * (size.width / size.height);
+  if (eye.show < 1.5) {
+    // As many kilometres a pixel both ways, and the whole hull: 48 km by 16, 27 where the picture is 16 to 9.
+    Float scale = max(Float(48.0), Float(16.0 * size.width / size.height));
+    x = scale * (uv.x - 0.5);
+    Float r = scale * (uv.y - 0.5) * (size.height / size.width);
+    y = r * eye.c;
+    z = r * eye.s;
+  }
+  Vec3 q = Vec3(x, y, z);
+  Float beyond = select(x > 16.0, x - 16.0, select(x < -16.5, x + 16.5, 0.0));
+  Float wall = select(x < -5.0, Float(56.25), Float(64.0));
+  Vec4 light = Vec4(0.0);
+  if (rama.exact > 0.5) {
+    light = rama_source(rama, lights, q, Vec3(1.0, 0.0, 0.0), 0.0);
+  } else {
+    light = lookup(source, rama_texture_coordinate(q));
+  }
+  return select(rama_square(q) + beyond * beyond < wall, light, Vec4(0.0));
+}
+
 /// A picture of Rama, linear sRGB [cd/m^2].
-FN Vec4 rama_picture_pass(IN(Camera) camera, IN(Observer) observer, IN(Display) display, IN(Rama) rama, IN(RamaEye) eye, Table2 lights, Table3 source, Vec2 uv) {
+FN Vec4 rama_picture_pass(IN(Camera) camera, IN(Observer) observer, IN(Display) display, IN(Rama) rama, IN(RamaEye) eye, IN(GridSize) size, Table2 lights, Table3 source, Vec2 uv) {
   Float inside = Float(0.0);
   Vec3 d = rama_frame(eye, camera_view(camera, uv, inside));
   Vec3 p = rama_eye(eye, Float(observer.altitude));
   Vec3 normal = Vec3(0.0, 0.0, 0.0);
   Vec3 q = p + d * rama_hull(p, d, normal);
-  Vec4 through = rama_transmittance_fast(rama, p, q);
-  if (rama.air < 0.5) through = Vec4(1.0);
-  Vec4 light = rama_gather(rama, lights, source, p, q) + rama_surface(rama, lights, q, normal) * through;
+  Vec4 through = Vec4(1.0);
+  if (rama.air > 0.5) {
+    if (rama.fast > 0.5) {
+      through = rama_transmittance_fast(rama, p, q);
+    } else {
+      through = rama_transmittance(rama, p, q);
+    }
+  }
+  Vec4 light = Vec4(0.0);
+  if (eye.show > 0.5) {
+    light = rama_slice(rama, eye, size, lights, source, uv);
+    inside = Float(1.0);
+  } else {
+    light = rama_gather(rama, lights, source, p, q) + rama_surface(rama, lights, q, normal) * through;
+  }
   return display_colour(display, light) * inside;
 }

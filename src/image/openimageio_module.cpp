@@ -35,7 +35,8 @@ void insert_comments(std::vector<unsigned char>& file, const Metadata& metadata)
 extern "C" std::vector<unsigned char> airlight_encode_picture(const WholePicture& picture) {
   const bool floats = picture.bytes.empty();
   const OIIO::TypeDesc type = floats ? OIIO::TypeDesc::FLOAT : OIIO::TypeDesc::UINT8;
-  OIIO::ImageSpec spec(picture.width, picture.height, 3, type);
+  OIIO::ImageSpec spec(picture.width, picture.height, picture.channels, type);
+  if (picture.channels == 4) spec.attribute("oiio:UnassociatedAlpha", 1);  // else colours are divided by alpha
   spec.attribute("oiio:ColorSpace", floats ? "Linear" : "sRGB");
   if (picture.format == "png") {
     for (const auto& [name, value] : picture.metadata) spec.attribute(name, as_text(value));

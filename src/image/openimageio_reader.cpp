@@ -11,12 +11,12 @@
 namespace airlight {
 namespace {
 
-std::unique_ptr<OIIO::ImageInput> open(const std::string& path) {
+std::unique_ptr<OIIO::ImageInput> open(const std::string& path, const OIIO::ImageSpec* wishes = nullptr) {
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
   if (!std::filesystem::exists(status)) throw InputError("cannot read '" + path + "': no such file");
   if (!std::filesystem::is_regular_file(status)) throw InputError("cannot read '" + path + "': not a regular file");
-  auto input = OIIO::ImageInput::open(path);
+  auto input = OIIO::ImageInput::open(path, wishes);
   if (!input) throw InputError("cannot read '" + path + "': " + OIIO::geterror());
   return input;
 }
@@ -66,6 +66,32 @@ extern "C" InputPicture airlight_open_picture(const std::string& path) {
   }
   if (picture.width < 1 || picture.height < 1 || picture.channels.empty())
     throw InputError("cannot read '" + path + "': the picture is empty");
+  return picture;
+}
+
+extern "C" ColourPicture airlight_read_colours(const std::string& path) {
+  OIIO::ImageSpec wishes;
+  wishes.attribute("oiio:UnassociatedAlpha", 1);  // else OpenImageIO multiplies colours with alpha
+  const auto input = open(path, &wishes);
+  const OIIO::ImageSpec& spec = input->spec();
+  if (spec.deep) throw InputError("cannot read '" + path + "': pixels are deep; flatten them first");
+  if (spec.width < 1 || spec.height < 1 || spec.nchannels < 1)
+    throw InputError("cannot read '" + path + "': the picture is empty");
+  const auto channels = std::size_t(spec.nchannels), pixels = std::size_t(spec.width) * std::size_t(spec.height);
+  std::vector<float> values(channels * pixels);
+  if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, values.data()))
+    throw InputError("cannot read '" + path + "': " + input->geterror());
+  ColourPicture picture{spec.width, spec.height, std::vector<float>(4 * pixels, 1.0f),
+                        !spec.format.is_floating_point()};
+  const char* const names[] = {"R", "G", "B"};
+  for (int c = 0; c < 4; ++c) {
+    // Grey: one channel is all three.
+    int from = c == 3 ? spec.alpha_channel : spec.channelindex(names[c]);
+    if (from < 0 && c < 3) from = spec.nchannels < 3 ? 0 : c;
+    if (from < 0) continue;
+    for (std::size_t i = 0; i < pixels; ++i)
+      picture.rgba[4 * i + std::size_t(c)] = values[channels * i + std::size_t(from)];
+  }
   return picture;
 }
 

@@ -19,11 +19,13 @@ using Metadata = std::vector<std::pair<std::string, std::variant<std::string, do
 enum class ToneCurve {
   filmic,
   reinhard,
-  clip,      ///< none: what is above display white is white
-  codeflow,  ///< of codeflow.org's program, with its own encoding
+  clip,         ///< none: what is above display white is white
+  codeflow,     ///< of codeflow.org's program, with its own encoding
+  square_root,  ///< the encoding itself, of the Jetlag intro
+  exponential,  ///< 1 - exp(-light), as on Rama's page
 };
-inline constexpr std::array<std::string_view, 4> tone_curves{"filmic", "reinhard", "clip",
-                                                             "codeflow"};  ///< their names
+inline constexpr std::array<std::string_view, 6> tone_curves{"filmic",   "reinhard", "clip",
+                                                             "codeflow", "sqrt",     "exponential"};  ///< their names
 
 struct PictureFormat {
   bool half = true;                        ///< EXR: half floats (clamped at 65504, said in the metadata), else 32-bit

@@ -5,6 +5,7 @@
 #include "airlight/error.h"
 #include "did_you_mean.h"
 #include "load_module.h"
+#include "optics/srgb.h"
 
 namespace airlight {
 namespace {
@@ -32,6 +33,15 @@ const InputChannel& InputPicture::channel(const std::string& name, const std::st
 InputPicture open_picture(const std::string& path) {
   static OpenPicture& open = from_module<OpenPicture>(open_picture_symbol);
   return open(path);
+}
+
+ColourPicture read_colours(const std::string& path) {
+  static ReadColours& read = from_module<ReadColours>(read_colours_symbol);
+  ColourPicture picture = read(path);
+  if (!picture.encoded) return picture;
+  for (std::size_t i = 0; i < picture.rgba.size(); ++i)
+    if (i % 4 != 3) picture.rgba[i] = float(decode_srgb(double(picture.rgba[i])));
+  return picture;
 }
 
 std::vector<std::vector<float>> read_planes(const InputPicture& picture, std::span<const InputChannel* const> channels,

@@ -39,11 +39,25 @@ InputPicture open_picture(const std::string& path);
 std::vector<std::vector<float>> read_planes(const InputPicture& picture, std::span<const InputChannel* const> channels,
                                             std::span<const float> outside);
 
+/// A picture as colours alone, whatever its channels are called.
+struct ColourPicture {
+  int width = 0, height = 0;
+  std::vector<float>
+      rgba;  ///< linear, rows from the top; alpha as in the file, not multiplied with; 1 where there is none
+  bool encoded = false;  ///< the file holds whole numbers, as a display takes them
+};
+
+/// Photographs, painted tables: whole numbers are taken as sRGB, floats as linear.
+/// @throws InputError for a file that is not there, no picture, damaged, or of deep pixels.
+ColourPicture read_colours(const std::string& path);
+
 // The module's functions.
 using OpenPicture = InputPicture(const std::string& path);
 using ReadPlanes = std::vector<std::vector<float>>(const InputPicture& picture,
                                                    std::span<const InputChannel* const> channels,
                                                    std::span<const float> outside);
+using ReadColours = ColourPicture(const std::string& path);  // as in the file, not yet linear
+inline constexpr char read_colours_symbol[] = "airlight_read_colours";
 inline constexpr char open_picture_symbol[] = "airlight_open_picture", read_planes_symbol[] = "airlight_read_planes";
 
 }  // namespace airlight

@@ -29,9 +29,15 @@ float threshold(std::uint32_t x, std::uint32_t y) {
 /// Encoded, 0..1.
 Vec3 shown(const Vec3& light, ToneCurve curve) {
   if (curve == ToneCurve::codeflow) return codeflow_tone(light);
+  if (curve == ToneCurve::square_root) {
+    const auto root = [](const Float& x) { return sqrt(clamp(x, 0.0, 1.0)); };
+    return {root(light.x), root(light.y), root(light.z)};
+  }
   const Vec3 linear = curve == ToneCurve::filmic     ? tone_filmic(light)
                       : curve == ToneCurve::reinhard ? tone_reinhard(light, reinhard_white)
-                                                     : light;  // the encoding clips
+                      : curve == ToneCurve::exponential
+                          ? Vec3(one_minus_exp(light.x), one_minus_exp(light.y), one_minus_exp(light.z))
+                          : light;  // the encoding clips
   return {srgb_encode(linear.x), srgb_encode(linear.y), srgb_encode(linear.z)};
 }
 

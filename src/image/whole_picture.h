@@ -17,6 +17,7 @@ struct WholePicture {
   std::span<const std::uint8_t> bytes;  ///< RGB, or empty
   std::span<const float> floats;        ///< RGB, where there are no bytes
   Metadata metadata;
+  int channels = 3;  ///< 4: the bytes are RGBA; colours are written as they are
 };
 
 /// The bytes of the file.

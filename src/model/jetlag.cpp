@@ -6,10 +6,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "airlight/error.h"
 #include "model/field_parameter.h"
 #include "model/jetlag_noise.h"
-#include "optics/number_text.h"
 
 namespace airlight {
 namespace {
@@ -34,8 +32,7 @@ Fields jetlag_fields(const JetlagSettings& s) {
           {"mie_scattering", {2e-5}},
           {"mie_extinction", {2.2e-5}},
           {"haze", {s.clouds ? 8.0 : 1.0}},
-          {"per_rayleigh_height", {1 / 8000.0}},
-          {"per_mie_height", {1 / 1200.0}},
+          {"per_height", {1 / 24000.0}},
           {"ground_radius", {jetlag_ground_radius}},
           {"top", {jetlag_top}},
           {"sun_intensity", {s.sun_intensity}},
@@ -48,8 +45,14 @@ Fields jetlag_fields(const JetlagSettings& s) {
           {"top_light_steps", {double(s.top_light_steps)}},
           {"keep_top_length", {s.corrected_top_length ? 0.0 : 1.0}},
           {"midpoint", {s.midpoint ? 1.0 : 0.0}},
-          {"rayleigh_phase", {s.exact_phase ? 3 / (16 * pi) : 0.0597}},
-          {"mie_phase", {s.exact_phase ? 3 * (1 - g * g) / (8 * pi * (2 + g * g)) : 0.0196}},
+          {"rayleigh_phase",
+           {!s.molecules_shine ? 0
+            : s.exact_phase    ? 3 / (16 * pi)
+                               : 0.0597}},
+          {"mie_phase",
+           {!s.haze_shines  ? 0
+            : s.exact_phase ? 3 * (1 - g * g) / (8 * pi * (2 + g * g))
+                            : 0.0196}},
           {"mie_peak", {peak}},
           {"mie_slope", {2 * g}},
           {"albedo", {s.albedo}},
@@ -66,18 +69,6 @@ Fields jetlag_drift(double t) {
   // The published test is on the first octave's coordinate: at most 38 texels south.
   drift["first"][3] = 38 / noise_scale - 80 * t;
   return drift;
-}
-
-std::vector<double> jetlag_frames(const std::vector<JetlagFrame>& frames) {
-  std::vector<double> texels(5 * 4 * frames.size());
-  for (std::size_t k = 0; k < frames.size(); ++k) {
-    Fields drift = jetlag_drift(frames[k].clouds);
-    const double at = wrapped(1e5 * frames[k].noise);
-    const Numbers rows[] = {drift["first"], drift["fourth"], drift["ninth"], drift["seventeenth"], {at, at, 0, 0}};
-    for (std::size_t row = 0; row < 5; ++row)
-      for (std::size_t c = 0; c < 4; ++c) texels[4 * (row * frames.size() + k) + c] = rows[row][c];
-  }
-  return texels;
 }
 
 // ---- the model ----
@@ -125,11 +116,19 @@ const std::vector<ParameterInfo>& parameters() {
       whole("cloud_light_steps", 1, 64, 16, "towards the Sun, below the clouds' top"),
       whole("top_light_steps", 1, 64, 4, "above it"),
       whole("clear_light_steps", 1, 64, 4, "without clouds"),
-      whole("frames", 1, 256, 1, "that make up a picture"),
-      number("blend", "1", 0, 1, 0.3, "weight of each new frame, blended as encoded by a square root; 0: mean of all"),
-      number("frame_rate", "1/s", 1, 240, 30, "of frames that are blended"),
+      whole("frames", 1, 65536, 1, "that make up a picture, each with other random numbers"),
+      number("blend", "1", 0, 1, 0.3,
+             "weight of each new frame among those before it; 0: mean of all, in linear light"),
+      word("blend_in", {"encoded", "linear"}, "frames are blended as encoded by a square root, or in linear light"),
+      whole("frame", -1e6, 1e6, 0, "number of the (last) frame: its random numbers; clouds drift on with it"),
+      number("frame_rate", "1/s", 1e-3, 1e3, 30, "of frames"),
       flag("still", 0, "clouds stand still while frames gather"),
-      word("show", {"picture", "transmittance"}, "what a picture shows"),
+      flag("fade_in", 0, "pictures brighten over the first 32 s, as the intro's do"),
+      word(
+          "show", {"picture", "transmittance", "molecules", "haze", "clouds", "light_depth"},
+          "what a picture shows: light, or what the air leaves of it; light of one species alone; density of clouds at "
+          "the height slice, or the optical depth from there to the Sun"),
+      number("slice", "m", 0, 15000, 1600, "height of that"),
       number("exposure", "1", 0, 1000, 1, "in pictures")};
   return keys;
 }
@@ -155,33 +154,39 @@ JetlagSettings settings_of(const Values& v) {
   s.cloud_light_steps = steps("cloud_light_steps");
   s.top_light_steps = steps("top_light_steps");
   s.clear_light_steps = steps("clear_light_steps");
+  const std::string& show = v.word("show");
+  s.molecules_shine = show != "haze";
+  s.haze_shines = show != "molecules";
+  if (!s.molecules_shine || !s.haze_shines) s.albedo = 0;
   return s;
 }
 
-// No texel may turn its loops oftener (docs/architecture.md).
-constexpr double most_turns = 60000;
-
-int checked_frames(const Values& v) {
-  const JetlagSettings s = settings_of(v);
-  const double view = s.clouds ? std::max(s.short_steps, s.near_steps + s.far_steps) : s.short_steps;
-  const double light = s.clouds ? s.cloud_light_steps + s.top_light_steps : s.clear_light_steps;
-  const double turns = view * (1 + light) + 32, most = std::floor(most_turns / turns);
-  if (v.number("frames") > most || most < 1) {
-    throw InputError("jetlag.frames = " + number_text(v.number("frames")) + ": expected 1 .. " + number_text(most) +
-                     " with these numbers of steps: a pixel turns its loops " + number_text(most_turns) +
-                     " times at most");
-  }
-  return int(v.number("frames"));
+Gathering gathering_of(const Values& v) {
+  return {int(v.number("frames")), v.number("blend"), v.word("blend_in") == "encoded"};
 }
 
-HostTable frames_table(const Values& v) {
-  const int count = checked_frames(v);
-  std::vector<JetlagFrame> frames;
-  for (int k = 0; k < count; ++k) {
-    const double time = v.number("time") - (count - 1 - k) / v.number("frame_rate");
-    frames.push_back({v.flag("still") ? v.number("time") : time, time});
+// Seconds since the intro's frame 0, of one of the frames that a picture gathers.
+double since_first(const Values& v, int earlier) { return (v.number("frame") - earlier) / v.number("frame_rate"); }
+
+double cloud_time(const Values& v, int earlier) {
+  return v.number("time") + since_first(v, v.flag("still") ? 0 : earlier);
+}
+
+Fields frame_fields(const Values& v, int earlier) {
+  Numbers random(4);
+  if (v.number("blend") > 0) {
+    random[0] = random[1] = wrapped(1e5 * (v.number("time") + since_first(v, earlier)));
+  } else {
+    // At 30 frames a second the published places repeat after 192, and lie between texels, where noise is half averaged. A mean of many
+    // takes whole texels spread evenly instead: powers of the plastic number (Roberts 2018, "R2").
+    const double frames = v.number("frames"), nth = v.number("frame") * frames + frames - 1 - earlier;
+    random[0] = std::floor(wrapped(nth * 0.7548776662466927 * jetlag_noise_size));
+    random[1] = std::floor(wrapped(nth * 0.5698402909980532 * jetlag_noise_size));
   }
-  return {{count, 5}, jetlag_frames(frames)};
+  const std::string& show = v.word("show");
+  const double what = show == "transmittance" ? 1 : show == "clouds" ? 2 : show == "light_depth" ? 3 : 0;
+  const double gain = v.flag("fade_in") ? std::clamp(cloud_time(v, earlier) / 32, 0.0, 1.0) : 1;
+  return {{"random", random}, {"show", {what}}, {"slice", v.numbers("slice")}, {"gain", {gain}}};
 }
 
 }  // namespace
@@ -198,23 +203,19 @@ Model jetlag_model() {
           .fields = [](std::string_view argument, const Situation& s) -> Fields {
             const Values& v = *s.parameters;
             if (argument == "jetlag") return jetlag_fields(settings_of(v));
-            if (argument == "drift") return jetlag_drift(v.number("time"));
-            if (argument == "air") return unit_air();
-            if (argument == "frames")
-              return {{"count", v.numbers("frames")},
-                      {"blend", v.numbers("blend")},
-                      {"show", {v.word("show") == "picture" ? 0.0 : 1.0}}};
-            return {};
+            if (argument == "drift") return jetlag_drift(cloud_time(v, s.earlier));
+            if (argument == "frame") return frame_fields(v, s.earlier);
+            return argument == "air" ? unit_air() : Fields{};
           },
           .sun = "jetlag.sun_irradiance",
           .surface = "jetlag.surface",
-          .data = [](std::string_view argument, const Situation& s) -> HostTable {
-            if (argument == "noise") return {{jetlag_noise_size, jetlag_noise_size}, jetlag_noise_texels()};
-            if (argument == "drifts") return frames_table(*s.parameters);
-            return {};
+          .data = [](std::string_view argument, const Situation&) -> HostTable {
+            if (argument != "noise") return {};
+            return {{jetlag_noise_size, jetlag_noise_size}, jetlag_noise_texels()};
           },
+          .gathering = gathering_of,
           // Its sunlight of 10 stands for 1.33e5 lx (data/solar_irradiance.csv).
-          .colours = ColourModel{.wavelengths = {}, .luminance = 1.33e4, .tone = "clip"},
+          .colours = ColourModel{.wavelengths = {}, .luminance = 1.33e4, .tone = "sqrt"},
           .parameters = parameters()};
 }
 

@@ -9,7 +9,8 @@ namespace airlight {
 struct JetlagSettings {
   bool clouds = true, exact_phase = false, corrected_top_length = false, midpoint = false;
   double jitter_view = 0, jitter_light = 0;
-  bool random_jitter = false;  ///< in pictures
+  bool random_jitter = false;                       ///< in pictures
+  bool molecules_shine = true, haze_shines = true;  ///< in pictures one of them may be shown alone
   double sun_intensity = 10, albedo = 0.3;
   double near = 10000, ground_reach = 10000;             ///< [m]
   double east = 0, south = 0;                            ///< [m] of the eye
@@ -24,11 +25,5 @@ Fields jetlag_fields(const JetlagSettings& settings);
 
 /// The kernels' struct JetlagDrift at a time [s].
 Fields jetlag_drift(double time);
-
-struct JetlagFrame {
-  double clouds, noise;  ///< times [s] that move the clouds, and the random numbers
-};
-/// Frames that make up a picture as a table: a frame a column; rows: the drift's four members, then where its random numbers are.
-std::vector<double> jetlag_frames(const std::vector<JetlagFrame>& frames);
 
 }  // namespace airlight

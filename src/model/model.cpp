@@ -26,7 +26,7 @@ const Model& find_model(std::string_view name) {
 
 ModelInfo model_info(std::string_view name) {
   const Model& m = find_model(name);
-  return {m.name, m.summary, m.parameters, m.presets, m.colours ? &*m.colours : nullptr};
+  return {m.name, m.summary, m.parameters, m.presets, m.colours ? &*m.colours : nullptr, bool(m.gathering)};
 }
 
 std::vector<ModelInfo> models() {

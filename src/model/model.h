@@ -26,6 +26,7 @@ struct Situation {
   double top_altitude;                 ///< [m] above it
   double altitude;                     ///< [m] above it
   const Values* parameters = nullptr;  ///< the model's own, all of them
+  int earlier = 0;                     ///< frames before the last of those that a picture gathers
 };
 
 struct TablePass {
@@ -50,6 +51,13 @@ struct OrderPasses {
   std::string_view closed;  ///< `light_sum` with the orders still to come, as `light` and `light_before` let expect
 };
 
+/// How a picture is made of frames, each with other random numbers.
+struct Gathering {
+  int frames = 1;
+  double weight = 0;     ///< of each new frame, the rest being what came before; 0: the mean of all, in linear light
+  bool encoded = false;  ///< blended as encoded by a square root
+};
+
 struct Model {
   std::string_view name;
   std::string_view summary;
@@ -71,9 +79,11 @@ struct Model {
   /// Set and true: the air before land is wanted at the corners of its triangles, and interpolated between them.
   std::function<bool(const Values& parameters)> haze_at_corners = {};
   std::function<HostTable(std::string_view argument, const Situation&)> data = {};  ///< tables that no pass makes
-  bool under_the_sun = true;                   ///< false: another world's inside, not to be compared with skies
-  bool segments = true;                        ///< answers for rays that end in the air
-  std::optional<ColourModel> colours = {};     ///< answers in red, green and blue, for no given air
+  bool under_the_sun = true;  ///< false: another world's inside, not to be compared with skies
+  bool segments = true;       ///< answers for rays that end in the air
+  std::function<Gathering(const Values&)> gathering = {};  ///< empty: a picture is one frame
+  std::optional<ColourModel> colours = {};                 ///< answers in red, green and blue, for no given air
+  std::function<std::vector<std::string>(const Values&)> warnings = {};  ///< of legal parameters that break a promise
   std::vector<ParameterInfo> parameters = {};  ///< `preset`, a word, takes the values of that preset first
   std::vector<Preset> presets = {};
 };

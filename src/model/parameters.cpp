@@ -15,6 +15,8 @@ using Kind = ParameterInfo::Kind;
 
 std::string what(const ParameterValue& value) {
   if (const auto* word = std::get_if<std::string>(&value)) return '"' + word->substr(0, 60) + '"';
+  if (const auto* picture = std::get_if<std::shared_ptr<const ParameterPicture>>(&value))
+    return *picture ? "picture \"" + (*picture)->name + '"' : "no picture";
   const auto& numbers = std::get<std::vector<double>>(value);
   return numbers.size() == 1 ? number_text(numbers[0]) : std::to_string(numbers.size()) + " numbers";
 }
@@ -35,6 +37,8 @@ std::string expected(const ParameterInfo& key) {
       return "1 .. " + std::to_string(key.size) + " numbers";
     case Kind::word:
       return "a word";
+    case Kind::picture:
+      return "a picture of 2 x 2 pixels or more, finite and not negative";
   }
   return "";
 }
@@ -48,10 +52,20 @@ bool right_count(const ParameterInfo& key, std::size_t count) {
     case Kind::list:
       return count >= 1 && count <= key.size;
     case Kind::word:
+    case Kind::picture:
       return false;
     default:
       return count == 1;
   }
+}
+
+bool is_picture(const ParameterValue& value) {
+  if (std::holds_alternative<std::string>(value)) return true;  // a name
+  const auto* picture = std::get_if<std::shared_ptr<const ParameterPicture>>(&value);
+  if (!picture || !*picture || (*picture)->width < 2 || (*picture)->height < 2) return false;
+  const std::vector<float>& rgba = (*picture)->rgba;
+  return rgba.size() == 4 * std::size_t((*picture)->width) * std::size_t((*picture)->height) &&
+         std::ranges::all_of(rgba, [](float v) { return v >= 0 && std::isfinite(v); });
 }
 
 }  // namespace
@@ -68,8 +82,20 @@ const std::string& Values::word(std::string_view name) const {
   return std::get<std::string>(found->second);
 }
 
+const ParameterPicture& Values::picture(std::string_view name) const {
+  const auto found = values_.find(name);
+  if (found == values_.end()) throw std::logic_error("no parameter " + std::string(name));
+  if (const auto* path = std::get_if<std::string>(&found->second))
+    throw InputError(std::string(name) + " = \"" + *path + "\": expected a picture that was read, not its name");
+  return *std::get<std::shared_ptr<const ParameterPicture>>(found->second);
+}
+
 ParameterValue check_parameter(const ParameterInfo& key, const ParameterValue& value, std::string_view where) {
   const std::string name = std::string(where) + std::string(key.name);
+  if (key.kind == Kind::picture) {
+    if (!is_picture(value)) throw InputError(name + " = " + what(value) + ": expected " + expected(key));
+    return value;
+  }
   if (key.kind == Kind::word) {
     const auto* word = std::get_if<std::string>(&value);
     if (!word) throw InputError(name + " = " + what(value) + ": expected " + expected(key));

@@ -17,6 +17,8 @@ class Values {
   bool flag(std::string_view name) const { return number(name) != 0; }
   const std::vector<double>& numbers(std::string_view name) const;  ///< three for a colour, grey or not
   const std::string& word(std::string_view name) const;
+  /// @throws InputError where it is a name alone, which nobody has read
+  const ParameterPicture& picture(std::string_view name) const;
   const Parameters& all() const { return values_; }
 
  private:

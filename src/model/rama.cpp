@@ -128,6 +128,13 @@ const std::vector<ParameterInfo>& parameters() {
        .low = -360,
        .high = 360,
        .otherwise = Numbers{60}},
+      {.name = "show",
+       .kind = Kind::word,
+       .text =
+           "what a picture shows: the view; or the light that air scatters, J, in the plane through the axis and the "
+           "eye, or in the one across it",
+       .words = {"picture", "slice_along", "slice_across"},
+       .otherwise = "picture"},
       {.name = "exposure", .text = "in pictures", .low = 0, .high = 1000, .otherwise = Numbers{0.1}}};
   return keys;
 }
@@ -155,7 +162,11 @@ Fields eye_fields(const Values& v) {
   return {{"x", {x}},
           {"c", {std::cos(angle)}},
           {"s", {std::sin(angle)}},
-          {"radius", {x < -5 ? south_radius : north_radius}}};
+          {"radius", {x < -5 ? south_radius : north_radius}},
+          {"show",
+           {v.word("show") == "picture"       ? 0.0
+            : v.word("show") == "slice_along" ? 1.0
+                                              : 2.0}}};
 }
 
 }  // namespace
@@ -189,7 +200,7 @@ Model rama_model() {
           },
           .under_the_sun = false,
           // 133 W/m^2 are 35000 lx of its white light.
-          .colours = ColourModel{.wavelengths = {680, 550, 440}, .luminance = 35000.0 / 133, .tone = "reinhard"},
+          .colours = ColourModel{.wavelengths = {680, 550, 440}, .luminance = 35000.0 / 133, .tone = "exponential"},
           .parameters = parameters()};
 }
 

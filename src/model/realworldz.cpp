@@ -78,6 +78,11 @@ const std::vector<ParameterInfo>& parameters() {
       number("k", "1/m", 0, 1, known.density, "optical depth of the sky's air per length at the ground"),
       number("H", "m", 1, 1e6, known.scale_height, "its scale height"),
       number("Rtop", "m", 1e3, 1e8, known.top_radius, "radius of its top"),
+      {.name = "table",
+       .kind = Kind::picture,
+       .text = "painted table of the sky's colours: angle from the Sun to the right, up to 180 degrees; exp(-optical "
+               "depth) of the air upwards, 0 to 1; without it, one that is generated",
+       .optional = true},
       number("halo", "1", 0, 10, 0, "strength of a rainbow halo 8 to 10 degrees from the Sun, painted on the table"),
       flag("terrain", 1, "mountains; 0: a smooth ball"),
       {.name = "terrain_steps",
@@ -148,12 +153,17 @@ RealworldzSettings settings_of(const Values& v) {
                        " = " + number_text(bound) + " m");
   };
   at_least("Rb", s.bounding_radius, "Rg", s.ground_radius);
-  at_least("ro", s.outer_radius, "Rb", s.bounding_radius);
   at_least("Rtop", s.top_radius, "Rg", s.ground_radius);
   if (!(s.inner_radius < s.outer_radius))
     throw InputError("realworldz.ri = " + number_text(s.inner_radius) +
                      ": expected less than ro = " + number_text(s.outer_radius) + " m");
   return s;
+}
+
+std::vector<std::string> warnings(const Values& v) {
+  if (v.number("ro") >= v.number("Rb")) return {};
+  return {"realworldz.ro = " + number_text(v.number("ro")) + ": less than Rb = " + number_text(v.number("Rb")) +
+          " m: fog may fall with distance"};
 }
 
 Fields view_fields(const Values& v) {
@@ -169,7 +179,9 @@ Fields view_fields(const Values& v) {
 }
 
 HostTable sky_colours(const Values& v) {
-  SkyTable painted = realworldz_starter();
+  // Two degrees of halo are a column or two of the re-spaced table of 256: its colours need more.
+  SkyTable painted =
+      v.has("table") ? table_of(v.picture("table")) : realworldz_starter(v.number("halo") > 0 ? 1024 : 256);
   if (v.number("halo") > 0) paint_halo(painted, 8, 10, v.number("halo"));
   SkyTable table = realworldz_resampled(painted);
   return {{table.width, table.height}, std::move(table.rgba)};
@@ -202,6 +214,7 @@ Model realworldz_model() {
           },
           // Its display shows 1 as white; a day's sky is 1e3 .. 1e4 cd/m^2.
           .colours = ColourModel{.wavelengths = {}, .luminance = 1e4, .tone = "clip"},
+          .warnings = warnings,
           .parameters = parameters(),
           .presets = presets()};
 }

@@ -66,6 +66,21 @@ void fill(Weighted& fine) {
 
 }  // namespace
 
+SkyGeometry ring_geometry(const Direction& sun, std::vector<double> rings) {
+  const auto optical_depth = [rings = std::move(rings)](double elevation) {
+    const auto latitude = [&](double ring) {
+      const double w = 2 * ring / double(rings.size() - 1) - 1;
+      return w * std::abs(w);
+    };
+    const double part = std::clamp(elevation / (pi / 2), -1.0, 1.0), half = double(rings.size() - 1) / 2;
+    const double at = half * (1 + std::copysign(std::sqrt(std::abs(part)), part));
+    const std::size_t i = std::min(std::size_t(at), rings.size() - 2);
+    const double t = (part - latitude(double(i))) / (latitude(double(i) + 1) - latitude(double(i)));
+    return -std::log(rings[i] + (rings[i + 1] - rings[i]) * t);
+  };
+  return {sun, optical_depth};
+}
+
 TablePlace place_of(const SkyGeometry& sky, const Direction& view) {
   double square = 0;
   for (std::size_t c = 0; c < 3; ++c) square += (view[c] - sky.sun[c]) * (view[c] - sky.sun[c]);

@@ -16,6 +16,10 @@ struct SkyGeometry {
   std::function<double(double elevation)> optical_depth;  ///< of the air in a direction [rad]
 };
 
+/// The same as pictures have it: the air's transmittance on rings of equal elevation, linear in between.
+/// @param rings  at the elevations of kernels/realworldz/sky.glsl: 90 degrees times w |w|, w from -1 to 1 in equal steps
+SkyGeometry ring_geometry(const Direction& sun, std::vector<double> rings);
+
 /// Where in a painted table the colour of a direction is.
 struct TablePlace {
   double x, y;  ///< angle from the Sun / 180 degrees; exp(-optical depth): both 0..1

@@ -36,6 +36,22 @@ SkyTable realworldz_starter(int width, int height) {
   return table;
 }
 
+SkyTable table_of(const ParameterPicture& picture) {
+  SkyTable table{picture.width, picture.height, {}};
+  const std::size_t row = 4 * std::size_t(picture.width);
+  for (std::size_t y = std::size_t(picture.height); y-- > 0;)
+    table.rgba.insert(table.rgba.end(), &picture.rgba[y * row], &picture.rgba[y * row] + row);
+  return table;
+}
+
+ParameterPicture picture_of(const SkyTable& painted, std::string name) {
+  ParameterPicture picture{std::move(name), painted.width, painted.height, {}};
+  const std::size_t row = 4 * std::size_t(painted.width);
+  for (std::size_t y = std::size_t(painted.height); y-- > 0;)
+    for (std::size_t i = 0; i < row; ++i) picture.rgba.push_back(float(painted.rgba[y * row + i]));
+  return picture;
+}
+
 void paint_halo(SkyTable& table, double inner, double outer, double strength) {
   for (int column = 0; column < table.width; ++column) {
     const double t = ((column + 0.5) / table.width * 180 - inner) / (outer - inner);

@@ -1,7 +1,10 @@
 // The sky colour table of RealWorldz: painted over the angle from the Sun and the air's transmittance, re-spaced for the shader.
 #pragma once
 #include <array>
+#include <string>
 #include <vector>
+
+#include "airlight/parameters.h"
 
 namespace airlight {
 
@@ -18,6 +21,11 @@ struct SkyTable {
 
 /// An Earth-like sky: white at the Sun, blue away from it, red where air is thick near the Sun, black without air.
 SkyTable realworldz_starter(int width = 256, int height = 256);
+
+/// A painted picture: its rows begin at the top, where there is no air.
+SkyTable table_of(const ParameterPicture& picture);
+/// And back, its colours as they are.
+ParameterPicture picture_of(const SkyTable& painted, std::string name);
 
 /// A rainbow-coloured halo painted onto a table, between two angles from the Sun [degrees].
 void paint_halo(SkyTable& table, double inner, double outer, double strength);

@@ -8,6 +8,7 @@
 #include "airlight/error.h"
 #include "airlight/spectrum.h"
 #include "optics/rgb_lift.h"
+#include "optics/srgb.h"
 #include "scene/geography.h"
 #include "scene/map_grid.h"
 #include "scene/noise.h"
@@ -20,8 +21,6 @@ double smooth_step(double t) {
   t = std::clamp(t, 0.0, 1.0);
   return t * t * (3 - 2 * t);
 }
-
-double decode_srgb(double v) { return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4); }
 
 /// A picture laid over the land, by its own coordinates or stretched over the first elevation file.
 class Overlay {

@@ -59,8 +59,8 @@ Track read_track(TableReader& reader, double frames_per_second) {
     constexpr double most = 1e9;  // frames are counted in an int
     const double at = track.keys.at[i];
     if (!(at >= -most && at <= most) || (i > 0 && !(at > track.keys.at[i - 1])))
-      reader.fail(axis,
-                  "[" + std::to_string(i) + "]: expected numbers that grow, within 1e9 frames of the first frame");
+      reader.fail(axis, std::string("[") + std::to_string(i) +
+                            "]: expected numbers that grow, within 1e9 frames of the first frame");
   }
   if (track.key == time_key) {
     read_times(reader, track);
@@ -198,6 +198,10 @@ void Animation::set_time_of_day(const std::string& from, const std::string& to, 
   }
   impl_->tracks.push_back(std::move(track));
   impl_->frame(0);
+}
+
+bool Animation::animates(std::string_view key) const {
+  return std::ranges::find(impl_->tracks, key, &Track::key) != impl_->tracks.end();
 }
 
 bool Animation::changes_land() const {

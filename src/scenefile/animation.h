@@ -26,7 +26,8 @@ class Animation {
   /// @throws InputError for times that are none, and where the scene animates the sun by itself.
   void set_time_of_day(const std::string& from, const std::string& to, int frames);
 
-  bool changes_land() const;  ///< heights, extent or the planet's size
+  bool animates(std::string_view key) const;  ///< "jetlag.time"
+  bool changes_land() const;                  ///< heights, extent or the planet's size
 
   struct Frame {
     Scene scene;

@@ -7,8 +7,10 @@
 namespace airlight {
 namespace {
 
-ParameterValue read_value(TableReader& reader, std::string_view key) {
+ParameterValue read_value(TableReader& reader, const ParameterInfo& info) {
+  const std::string_view key = info.name;
   const toml::node& node = *reader.find(key);
+  if (info.kind == ParameterInfo::Kind::picture) return reader.beside(reader.text(key));
   if (node.is_string()) return reader.text(key);
   if (node.is_boolean()) return std::vector<double>{reader.flag(key, false) ? 1.0 : 0.0};
   if (node.is_array()) return reader.numbers(key);
@@ -19,7 +21,7 @@ Parameters read_parameters(TableReader reader, const ModelInfo& model) {
   Parameters values;
   for (const ParameterInfo& key : model.parameters) {
     if (!reader.has(key.name)) continue;
-    const ParameterValue value = read_value(reader, key.name);
+    const ParameterValue value = read_value(reader, key);
     try {
       values.emplace(key.name, check_parameter(key, value, reader.path() + "."));
     } catch (const InputError& error) {

@@ -89,18 +89,12 @@ void one_of(const TableReader& reader, bool first, bool second, std::string_view
   if (first && second) reader.fail(key, ": expected either this or " + other + ", not both");
 }
 
-/// A file named in a scene lies beside it.
-std::string beside(const TableReader& reader, const std::string& name) {
-  const std::filesystem::path path(name);
-  return path.is_absolute() ? name : (std::filesystem::path(reader.file()).parent_path() / path).string();
-}
-
 // ---- the parts ----
 
 Atmosphere read_air(TableReader& root) {
   const auto load = [&](TableReader& reader, std::string_view key) {
     const std::string name = reader.text(key);
-    return at_key(reader, key, [&] { return load_atmosphere(name.ends_with(".toml") ? beside(reader, name) : name); });
+    return at_key(reader, key, [&] { return load_atmosphere(name.ends_with(".toml") ? reader.beside(name) : name); });
   };
   const toml::node* node = root.find("air");
   if (!node) return built_in_atmosphere("earth");
@@ -195,7 +189,7 @@ SceneSun read_sun(TableReader reader) {
 
 ElevationFile read_terrain(TableReader& reader) {
   ElevationFile file;
-  file.file = beside(reader, reader.text("file"));
+  file.file = reader.beside(reader.text("file"));
   file.band = whole(reader, "band", {1, 1000}, 1);
   file.height_scale = number(reader, "height_scale", {1e-6, 1e6}, 1);
   file.height_offset = number(reader, "height_offset", {-1e5, 1e5, "m"}, 0);
@@ -226,7 +220,7 @@ void read_land(TableReader reader, Scene& scene) {
 SurfaceSettings read_surface(TableReader reader) {
   SurfaceSettings s;
   if (reader.has("image")) {
-    s.image = beside(reader, reader.text("image"));
+    s.image = reader.beside(reader.text("image"));
     s.image_linear = reader.flag("image_linear", false);
     s.image_scale = number(reader, "image_scale", {0, 100}, 1);
   } else {
@@ -262,7 +256,7 @@ ScenePicture read_picture(TableReader reader) {
                   " = " + toml_text(reader.text("exposure")) + ": expected \"auto\" or a number, -100 .. 100 EV");
     p.exposure_ev = number(reader, "exposure", {-100, 100, "EV"});
   }
-  constexpr std::array<std::string_view, 4> tones{"filmic", "reinhard", "clip", "codeflow"};
+  constexpr std::array<std::string_view, 6> tones{"filmic", "reinhard", "clip", "codeflow", "sqrt", "exponential"};
   if (reader.has("tone")) p.tone = tones[choice(reader, "tone", tones, 0)];
   reader.finish();
   return p;

@@ -5,6 +5,7 @@
 #include <bit>
 #include <cstdint>
 #include <cstdio>
+#include <filesystem>
 #include <optional>
 
 #include "airlight/error.h"
@@ -222,6 +223,11 @@ void TableReader::finish() const {
     throw InputError(at_line(*file_, key.source().begin.line) + path(key.str()) + ": unknown key" +
                      did_you_mean(key.str(), known_));
   }
+}
+
+std::string TableReader::beside(const std::string& name) const {
+  const std::filesystem::path path(name);
+  return path.is_absolute() ? name : (std::filesystem::path(*file_).parent_path() / path).string();
 }
 
 std::string TableReader::path(std::string_view key) const {

@@ -54,6 +54,8 @@ class TableReader {
   std::string location(std::string_view key) const;
 
   const std::string& file() const { return *file_; }
+  /// A file named in the document lies beside it.
+  std::string beside(const std::string& name) const;
 
  private:
   TableReader(const toml::table& root, const std::string& file, const toml::table& table, std::string path)

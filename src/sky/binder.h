@@ -18,6 +18,9 @@ class Binder {
   Binder(Engine& engine, const Model& model, const Situation& situation)
       : engine_(engine), model_(model), situation_(situation) {}
 
+  /// For one of the frames that a picture gathers.
+  void set_earlier(int frames) { situation_.earlier = frames; }
+
   void set(std::string_view argument, Fields fields) { structs_[std::string(argument)] = std::move(fields); }
   void set(std::string_view argument, Table table) { tables_[std::string(argument)] = std::move(table); }
 

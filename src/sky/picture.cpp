@@ -1,12 +1,14 @@
 // Pictures of the sky.
 #include <chrono>
 #include <cmath>
+#include <optional>
 
 #include "airlight/error.h"
 #include "optics/colour.h"
 #include "sky/camera.h"
 #include "sky/channel_colours.h"
 #include "sky/checks.h"
+#include "sky/frame_blend.h"
 #include "sky/sky_impl.h"
 
 namespace airlight {
@@ -35,8 +37,9 @@ void no_wavelengths_for_colours(const Model& model, std::size_t count) {
 
 }  // namespace
 
-Sky::Impl::Draw Sky::Impl::draw_for(const Camera& camera, const Direction& to_sun, bool sun_disc, const Quad& quad,
-                                    const std::array<std::array<double, 3>, 4>& weights) {
+std::vector<Sky::Impl::Draw> Sky::Impl::draws_for(const Camera& camera, const Direction& to_sun, bool sun_disc,
+                                                  const Quad& quad,
+                                                  const std::array<std::array<double, 3>, 4>& weights) {
   const std::optional<ColourModel>& colours = model->colours;
   const double sun_radius = colours && colours->sun_radius > 0 ? colours->sun_radius : atmosphere.sun.angular_radius;
   Binder b = binder(*model, quad, camera.altitude);
@@ -58,7 +61,13 @@ Sky::Impl::Draw Sky::Impl::draw_for(const Camera& camera, const Direction& to_su
   b.set("sun_direction", sun_direction_fields(to_sun));
   b.set("display", std::move(display));
   const PassInfo& pass = kernel_pass(model->picture(s));
-  return {&pass, b.parameters(pass, {camera.width, camera.height, 1}), b.inputs(pass)};
+  const std::vector<Table> inputs = b.inputs(pass);
+  std::vector<Draw> frames;
+  for (int earlier = gathering().frames - 1; earlier >= 0; --earlier) {
+    b.set_earlier(earlier);
+    frames.push_back({&pass, b.parameters(pass, {camera.width, camera.height, 1}), inputs});
+  }
+  return frames;
 }
 
 bool Sky::Impl::draw_strips(const Camera& camera, std::span<const Draw> draws, std::size_t channels,
@@ -97,10 +106,23 @@ bool Sky::render(const Camera& camera, Direction sun, const PictureOptions& opti
 
   std::vector<Impl::Draw> draws;
   for (std::size_t w = 0; w < wavelengths.size(); w += 4)
-    draws.push_back(impl_->draw_for(camera, to_sun, options.sun_disc, quad_at(wavelengths, w), four_at(weights, w)));
+    for (Impl::Draw& draw :
+         impl_->draws_for(camera, to_sun, options.sun_disc, quad_at(wavelengths, w), four_at(weights, w)))
+      draws.push_back(std::move(draw));
+  const Gathering gathering = impl_->gathering();
+  std::optional<FrameBlend> blend;
   std::vector<float> sum;
   std::span<const float> picture;
+  const auto gathered = [&](std::size_t d, std::span<const float> rgba) {
+    if (d == 0) blend.emplace(gathering);
+    blend->add(rgba);
+    if (d + 1 < draws.size()) return;
+    sum.resize(rgba.size());
+    blend->read(sum);
+    picture = sum;
+  };
   const auto drawn = [&](std::size_t d, std::span<const float> rgba) {
+    if (gathering.frames > 1) return gathered(d, rgba);
     picture = rgba;  // most pictures are one draw, and need no sum
     if (draws.size() == 1) return;
     if (d == 0) sum.assign(rgba.size(), 0);
@@ -129,11 +151,13 @@ bool Sky::render_spectral(const Camera& camera, Direction sun, const PictureOpti
   for (std::size_t w = 0; w < W; w += 4) {
     const Quad quad = quad_at(wavelengths, w);
     draws.push_back(
-        impl_->draw_for(camera, to_sun, options.sun_disc, quad, {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0}}}));
+        impl_->draws_for(camera, to_sun, options.sun_disc, quad, {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0}}})
+            .front());
     first.push_back(w);
     if (w + 3 >= W) break;
     draws.push_back(
-        impl_->draw_for(camera, to_sun, options.sun_disc, quad, {{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {1, 0, 0}}}));
+        impl_->draws_for(camera, to_sun, options.sun_disc, quad, {{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {1, 0, 0}}})
+            .front());
     first.push_back(w + 3);
   }
   std::vector<float> values;

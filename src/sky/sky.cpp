@@ -97,6 +97,9 @@ Sky& Sky::operator=(Sky&&) noexcept = default;
 const Atmosphere& Sky::atmosphere() const { return impl_->atmosphere; }
 std::string_view Sky::model() const { return impl_->model->name; }
 const Parameters& Sky::parameters() const { return impl_->parameters.all(); }
+std::vector<std::string> Sky::warnings() const {
+  return impl_->model->warnings ? impl_->model->warnings(impl_->parameters) : std::vector<std::string>{};
+}
 Engine& Sky::engine() const { return *impl_->engine; }
 std::array<double, 4> Sky::realtime_wavelengths() const { return realtime_quad; }
 

@@ -93,8 +93,10 @@ struct Sky::Impl {
     std::vector<double> parameters;
     std::vector<Table> inputs;
   };
-  Draw draw_for(const Camera& camera, const Direction& to_sun, bool sun_disc, const Quad& quad,
-                const std::array<std::array<double, 3>, 4>& weights);
+  /// One, or one for each frame that the model's pictures gather, the last one last.
+  std::vector<Draw> draws_for(const Camera& camera, const Direction& to_sun, bool sun_disc, const Quad& quad,
+                              const std::array<std::array<double, 3>, 4>& weights);
+  Gathering gathering() const { return model->gathering ? model->gathering(parameters) : Gathering{}; }
   /// Runs them over one strip after the other; `drawn` is given each, `strip` told when all are, and stops by false.
   /// @param channels  numbers of a pixel that are kept
   bool draw_strips(const Camera& camera, std::span<const Draw> draws, std::size_t channels,

@@ -9,7 +9,8 @@
 namespace airlight {
 namespace {
 
-constexpr ToneCurve curves[] = {ToneCurve::filmic, ToneCurve::reinhard};
+constexpr ToneCurve curves[] = {ToneCurve::filmic, ToneCurve::reinhard, ToneCurve::square_root,
+                                ToneCurve::exponential};
 
 /// The mean colour, undithered in effect, of a patch of one colour.
 std::array<double, 3> shown(std::array<float, 3> rgb, ToneCurve curve, double ev = 0) {
@@ -37,6 +38,8 @@ TEST(Tone, curves_are_what_they_say) {
     // 0.05 of a step: the mean of the dither over 64 x 64 pixels.
     EXPECT_NEAR(shown({x, x, x}, ToneCurve::filmic)[1], srgb(filmic), 0.05) << x;
     EXPECT_NEAR(shown({x, x, x}, ToneCurve::reinhard)[1], srgb(reinhard), 0.05) << x;
+    EXPECT_NEAR(shown({x, x, x}, ToneCurve::exponential)[1], srgb(1 - std::exp(-double(x))), 0.05) << x;
+    EXPECT_NEAR(shown({x, x, x}, ToneCurve::square_root)[1], 255 * std::sqrt(std::min(double(x), 1.0)), 0.05) << x;
   }
 }
 
