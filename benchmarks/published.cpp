@@ -57,7 +57,7 @@ struct RamaRays {
 };
 
 void jetlag(Report& report, const std::shared_ptr<Engine>& engine, const std::shared_ptr<Engine>& yardstick,
-            const Limits& limits) {
+            const MachineLimits& machine) {
   const Parameters clear{{"mode", "clear"}, {"jitter", std::vector{0.0}}, {"ground_reach", std::vector{0.0}}};
   const auto camera = [](int width, int height) {
     return Camera{.projection = Projection::perspective, .width = width, .height = height, .elevation = 0.6};
@@ -68,6 +68,7 @@ void jetlag(Report& report, const std::shared_ptr<Engine>& engine, const std::sh
                difference(draw(sky, camera(120, 68), moving_sun(0)), draw(truth, camera(120, 68), moving_sun(0))),
                3e-4);
   if (!report.timing()) return;
+  const Limits& limits = machine.at(set_of(*engine));
   draw(sky, camera(16, 9), moving_sun(0));  // its noise is uploaded once
   // Of each of 16 steps: two exps, three of transmittance, and two each of four steps towards the Sun.
   int n = 1;
@@ -79,10 +80,11 @@ void jetlag(Report& report, const std::shared_ptr<Engine>& engine, const std::sh
               limits.pixel(16 * (2 + 3 + 4 * 2), 0)});
 }
 
-void rama(Report& report, Engine& engine, Engine& yardstick, const Limits& limits) {
+void rama(Report& report, Engine& engine, Engine& yardstick, const MachineLimits& machine) {
   const RamaRays rays;
   report.check("rama, the air's light against double", difference(rays.read(engine), rays.read(yardstick)), 3e-4);
   if (!report.timing()) return;
+  const Limits& limits = machine.at(set_of(engine));
   const Binder binder = rays.on(engine);
   // Three exps and the eight texels of a lookup in three dimensions each of 30 samples.
   report.add(
@@ -133,9 +135,8 @@ void published(Report& report, const MachineLimits& limits) {
                 exps_of(renderer == std::string("pixel") ? 4 : 0)});
   }
 
-  const Limits& machine = limits.at(set_of(*engine));
-  jetlag(report, engine, yardstick, machine);
-  rama(report, *engine, *yardstick, machine);
+  jetlag(report, engine, yardstick, limits);
+  rama(report, *engine, *yardstick, limits);
   check("codeflow", {});
   if (!report.timing()) return;
   const Sky sky(earth, "codeflow", engine);

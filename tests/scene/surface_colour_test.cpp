@@ -64,10 +64,10 @@ TEST(SurfaceColour, an_image_lies_where_it_belongs) {
   EXPECT_GT(north[3], 0.9) << "red at 635 nm";
   EXPECT_LT(north[0], 0.05);
   // sRGB code 128 is 0.2159 of white (IEC 61966-2-1).
-  for (const float a : south) EXPECT_NEAR(a, 0.2159, 1e-3);
+  for (const double a : south) EXPECT_NEAR(a, 0.2159, 1e-3);
   surface.image_linear = true;
   surface.image_scale = 0.5;
-  for (const float a : albedo(SurfaceColour(surface, land, wavelengths), at(0, -2500, 100, 0)))
+  for (const double a : albedo(SurfaceColour(surface, land, wavelengths), at(0, -2500, 100, 0)))
     EXPECT_NEAR(a, 0.251, 1e-3);
   // Seen from afar it is averaged: at the seam, some of both.
   const auto mean = albedo(colour, at(0, 0, 100, 0), 5000);

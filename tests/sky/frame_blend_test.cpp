@@ -45,21 +45,30 @@ std::vector<float> picture(Parameters parameters, const Camera& camera = window)
   return draw(Sky(built_in_atmosphere("earth"), "jetlag", engine, parameters), camera, toward(135, 8));
 }
 
-/// Noise of a picture: what two of other random numbers differ by, as encoded by a root or in linear light.
-double noise(const Parameters& parameters, bool encoded) {
-  Parameters other = parameters;
-  other["frame"] = std::vector{1000.0};
-  const std::vector<float> a = picture(parameters), b = picture(other);
-  double sum = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    const double d = encoded ? std::sqrt(double(a[i])) - std::sqrt(double(b[i])) : double(a[i]) - double(b[i]);
-    sum += d * d;
+/// Noise of a picture, as encoded by a root or in linear light: the deviation of eight of other random numbers.
+double noise(Parameters parameters, bool encoded) {
+  constexpr int pictures = 8;
+  std::vector<double> sums, squares;
+  for (int k = 0; k < pictures; ++k) {
+    // A thousand frames later by the count, and so with other numbers; a hundredth of a second later by the clouds' clock, which stand.
+    const double frame = 1000.0 * k;
+    parameters["frame"] = std::vector{frame};
+    parameters["time"] = std::vector{300 - frame / 40 + 0.01013 * k};
+    const std::vector<float> drawn = picture(parameters);
+    sums.resize(drawn.size()), squares.resize(drawn.size());
+    for (std::size_t i = 0; i < drawn.size(); ++i) {
+      const double value = encoded ? std::sqrt(double(drawn[i])) : double(drawn[i]);
+      sums[i] += value, squares[i] += value * value;
+    }
   }
-  return std::sqrt(sum / 2 / double(a.size()));
+  double variance = 0;
+  for (std::size_t i = 0; i < sums.size(); ++i)
+    variance += (squares[i] - sums[i] * sums[i] / pictures) / (pictures - 1) / double(sums.size());
+  return std::sqrt(variance);
 }
 Parameters mean_of(double frames) { return {{"frames", std::vector{frames}}, {"blend", std::vector{0.0}}}; }
 
-// A quarter: the spread of such an estimate from 336 pixels, some of which are much noisier than most.
+// A quarter: the spread of such estimates from 336 pixels, of which some are much noisier than most.
 TEST(JetlagNoise, falls_with_the_root_of_the_frames_that_gather) {
   const double one = noise(mean_of(1), false);
   ASSERT_GT(one, 0);
