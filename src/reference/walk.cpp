@@ -19,7 +19,7 @@ WalkRules::WalkRules(const Atmosphere& atmosphere, std::span<const double> wavel
     : layers(atmosphere),
       rough(atmosphere, 1e4),
       optics(atmosphere, wavelengths, settings.point_sun, settings.cloud.get()),
-      guide(layers, optics, !settings.guided || settings.uniform_light),
+      guide(rough, optics, !settings.guided || settings.uniform_light),
       surface(settings.surface),
       cloud(settings.cloud),
       max_order(settings.max_order > 0 ? settings.max_order : std::numeric_limits<int>::max()),

@@ -12,7 +12,7 @@ namespace airlight::reference {
 struct WalkRules {
   WalkRules(const Atmosphere& atmosphere, std::span<const double> wavelengths, const MonteCarloSettings& settings);
 
-  Layers layers, rough;  ///< rough: tells directions apart by the light that they promise
+  Layers layers, rough;  ///< rough: for guesses, on which no answer depends
   Optics optics;
   Guide guide;
   std::shared_ptr<const Surface> surface;
