@@ -124,6 +124,33 @@ FN Vec4 meet_air(IN(Air) air, Float altitude, Vec3 view, Vec3 sun, Float distanc
   return Vec4(start, mu, mu_s, nu);
 }
 
+/// The stretch that a point of a two-point Gauss step stands for, weakened by the air before it [m].
+/// @param node [1] in 0..1
+/// @param depth [1] in 0..4  before the step
+/// @param extinction0 [1] in 0..4  what the whole step would have if all of it were as the first point
+/// @param extinction1 [1] in 0..4  as the second
+/// @param stride [m] in 0..1
+FN Vec4 gauss_weight(int node, Vec4 depth, Vec4 extinction0, Vec4 extinction1, Float stride) {
+  // The depth up to each point by the matching collocation (Butcher 1964): order 4.
+  Vec4 passed = depth + 0.25 * extinction0 - 0.0386751345948129 * extinction1;
+  if (node == 1) passed = depth + 0.538675134594813 * extinction0 + 0.25 * extinction1;
+  Vec4 through = exp(-max(passed, 0.0)) * (0.5 * stride);
+  Vec4 both = extinction0 + extinction1;
+  Bool thick = max(max(both.x, both.y), max(both.z, both.w)) > 2.0;
+  if (any(thick)) {
+    // Deeper than 1 in a step: each point stands for its half, uniform, whose light is (1 - exp(-depth)) / extinction.
+    Vec4 half_depth = 0.5 * extinction0;
+    Vec4 before = depth;
+    if (node == 1) {
+      before = depth + half_depth;
+      half_depth = 0.5 * extinction1;
+    }
+    Vec4 share = (Vec4(1.0) - exp(-half_depth)) / max(half_depth, 1.0e-3);
+    through = select(thick, exp(-before) * share * (0.5 * stride), through);
+  }
+  return through;
+}
+
 /// Light gathered along a ray: for each phase class the integral of scattering x sunlight x transmittance (to be multiplied by
 /// its phase function and the solar irradiance), the light scattered more than once (orders > 1; else `multiple` is not read),
 /// and the optical depth of the whole path. `at` is where the ray meets the air, as meet_air says.
@@ -179,31 +206,16 @@ FN_SHARED void gather_light(IN(Air) air, int orders, Table2 zones, Table2 profil
             Float cell1 = profile_cell(air, zone, altitude1);
             Vec4 extinction0 = lookup_cell(profile, cell0, 0) * stride;
             Vec4 extinction1 = lookup_cell(profile, cell1, 0) * stride;
-            Vec4 both = extinction0 + extinction1;
-            Bool thick = max(max(both.x, both.y), max(both.z, both.w)) > 2.0;
             for (int node = 0; node < 2; ++node) {
               Float path = path0;
               Float h = altitude0;
               Float cell = cell0;
-              Vec4 passed = depth + 0.25 * extinction0 - 0.0386751345948129 * extinction1;
               if (node == 1) {
                 path = path1;
                 h = altitude1;
                 cell = cell1;
-                passed = depth + 0.538675134594813 * extinction0 + 0.25 * extinction1;
               }
-              Vec4 through = exp(-max(passed, 0.0)) * (0.5 * stride);
-              if (any(thick)) {
-                // Deeper than 1 in a step: each point stands for its half, uniform, whose light is (1 - exp(-depth)) / extinction.
-                Vec4 half_depth = 0.5 * extinction0;
-                Vec4 before = depth;
-                if (node == 1) {
-                  before = depth + half_depth;
-                  half_depth = 0.5 * extinction1;
-                }
-                Vec4 share = (Vec4(1.0) - exp(-half_depth)) / max(half_depth, 1.0e-3);
-                through = select(thick, exp(-before) * share * (0.5 * stride), through);
-              }
+              Vec4 through = gauss_weight(node, depth, extinction0, extinction1, stride);
               Float sun = (radius * mu_s + path * nu) / (air.ground_radius + h);
               Vec4 scattering = lookup_cell(profile, cell, 1);
               Vec4 lit = Vec4(0.0);
@@ -231,7 +243,7 @@ FN_SHARED void gather_light(IN(Air) air, int orders, Table2 zones, Table2 profil
                 diffuse = diffuse + scattering * source * through;
               }
             }
-            depth = depth + 0.5 * both;
+            depth = depth + 0.5 * (extinction0 + extinction1);
           }
         }
       }

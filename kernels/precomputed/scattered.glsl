@@ -3,33 +3,6 @@
 #include "precomputed/lattice.glsl"
 // Light of the second order and higher along a ray.
 
-/// The stretch that a point of a two-point Gauss step stands for, weakened by the air before it [m].
-/// @param node [1] in 0..1
-/// @param depth [1] in 0..4  before the step
-/// @param extinction0 [1] in 0..4  what the whole step would have if all of it were as the first point
-/// @param extinction1 [1] in 0..4  as the second
-/// @param stride [m] in 0..1
-FN Vec4 precomputed_gauss_weight(int node, Vec4 depth, Vec4 extinction0, Vec4 extinction1, Float stride) {
-  // The depth up to each point by the matching collocation (Butcher 1964): order 4.
-  Vec4 passed = depth + 0.25 * extinction0 - 0.0386751345948129 * extinction1;
-  if (node == 1) passed = depth + 0.538675134594813 * extinction0 + 0.25 * extinction1;
-  Vec4 through = exp(-max(passed, 0.0)) * (0.5 * stride);
-  Vec4 both = extinction0 + extinction1;
-  Bool thick = max(max(both.x, both.y), max(both.z, both.w)) > 2.0;
-  if (any(thick)) {
-    // Deeper than 1 in a step: each point stands for its half, uniform, whose light is (1 - exp(-depth)) / extinction.
-    Vec4 half_depth = 0.5 * extinction0;
-    Vec4 before = depth;
-    if (node == 1) {
-      before = depth + half_depth;
-      half_depth = 0.5 * extinction1;
-    }
-    Vec4 share = (Vec4(1.0) - exp(-half_depth)) / max(half_depth, 1.0e-3);
-    through = select(thick, exp(-before) * share * (0.5 * stride), through);
-  }
-  return through;
-}
-
 /// Light that the air sends along a ray as `source` says, per solar irradiance [1/sr]; the optical depth of the path. `at` is where
 /// the ray meets the air, as meet_air says.
 FN_SHARED Vec4 precomputed_gather(IN(Air) air, IN(Lattice) lattice, Table2 zones, Table2 profile, Table3 source, Vec4 at, Float reach, OUT(Vec4) depth) {
@@ -71,7 +44,7 @@ FN_SHARED Vec4 precomputed_gather(IN(Air) air, IN(Lattice) lattice, Table2 zones
           Float mu = clamp((radius * at.y + path) * from_centre, -1.0, 1.0);
           Float mu_s = clamp((radius * at.z + path * at.w) * from_centre, -1.0, 1.0);
           Vec4 sent = precomputed_source_at(air, lattice, source, h, mu, mu_s, at.w);
-          sum = sum + scattering * sent * precomputed_gauss_weight(node, depth, extinction0, extinction1, stride);
+          sum = sum + scattering * sent * gauss_weight(node, depth, extinction0, extinction1, stride);
         }
         depth = depth + 0.5 * (extinction0 + extinction1);
       }
