@@ -22,6 +22,13 @@
 namespace airlight::cli {
 namespace {
 
+/// One of a scene's lights, as the eye sees it.
+struct LightOverLand {
+  PlacedLight light;
+  Direction direction;  // in the eye's frame
+  std::optional<AirShadows> shadows;
+};
+
 /// All that surrounds the picture: where it was seen from, in which air and light.
 struct Surroundings {
   HazeView view;
@@ -31,6 +38,7 @@ struct Surroundings {
   std::string model;
   std::optional<std::array<double, 3>> eye;  // in the file's axes and unit
   std::optional<AirShadows> shadows;
+  std::vector<LightOverLand> more_lights;
 };
 
 /// The file's point in the scene's frame [m], and back.
@@ -125,13 +133,19 @@ Surroundings scene_surroundings(const HazeOptions& options, const InputPicture& 
   s.sun.distance = sun.distance;
   const Direction to_sun = direction(sun.azimuth, sun.elevation);
   s.settings.sun = placed.from_scene(to_sun);
-  if (scene.has_land && scene.picture.air_shadows && !options.no_air_shadows) {
+  const auto shadows = [&](const Direction& towards, double angular_radius) -> std::optional<AirShadows> {
+    if (!scene.has_land || !scene.picture.air_shadows || options.no_air_shadows) return {};
     ShadowGrid grid;
     grid.east = placed.eye[0];
     grid.north = placed.eye[1];
     const SceneOptions usual;
-    s.shadows = air_shadows(shadow_map(land, to_sun, s.air.sun.angular_radius / sun.distance, grid), placed,
-                            usual.shadow_steps);
+    return air_shadows(shadow_map(land, towards, angular_radius, grid), placed, usual.shadow_steps);
+  };
+  s.shadows = shadows(to_sun, s.air.sun.angular_radius / sun.distance);
+  for (const SceneLight& light : scene.lights) {
+    const PlacedLight there = place_light(light, s.air.sun, land.origin());
+    const Direction towards = direction(there.azimuth, there.elevation);
+    s.more_lights.push_back({there, placed.from_scene(towards), shadows(towards, there.source.angular_radius)});
   }
   return s;
 }
@@ -170,7 +184,19 @@ int run_haze(const HazeOptions& options) {
     throw InputError("--depth-kind position needs --eye X,Y,Z, --exr-camera or --scene");
   meaning.eye = s.eye.value_or(meaning.eye);
   s.sun.apply_distance(s.air);
-  const Sky sky(s.air, options.model.empty() ? s.model : options.model, engine_named(options.engine));
+  const auto engine = engine_named(options.engine);
+  const auto sky_of = [&](const Sun& sun) {
+    Atmosphere air = s.air;
+    air.sun = sun;
+    return Sky(std::move(air), options.model.empty() ? s.model : options.model, engine);
+  };
+  const Sky sky = sky_of(s.air.sun);
+  std::vector<Sky> more_skies;
+  for (const LightOverLand& more : s.more_lights) more_skies.push_back(sky_of(more.light.source));
+  for (std::size_t i = 0; i < more_skies.size(); ++i) {
+    const LightOverLand& more = s.more_lights[i];
+    s.settings.more_lights.push_back({&more_skies[i], more.direction, more.shadows ? &*more.shadows : nullptr});
+  }
 
   std::vector<float> distance = input.read_distance(meaning, s.view, bad_is_sky);
   std::vector<float> rgba = input.read_color(options.scale);

@@ -9,7 +9,7 @@
 #include "airlight/sky.h"
 #include "did_you_mean.h"
 #include "number_option.h"
-#include "scene/sun_position.h"
+#include "scene/scene_sun.h"
 #include "scenefile/atmosphere_file.h"
 
 namespace airlight::cli {
@@ -112,10 +112,7 @@ void SunPlace::describe(Metadata& lines) const {
 
 Direction SunPlace::direction() const { return airlight::direction(azimuth * degree, elevation * degree); }
 
-void SunPlace::apply_distance(Atmosphere& atmosphere) const {
-  atmosphere.sun.irradiance = atmosphere.sun.irradiance.scaled(1 / (distance * distance));
-  atmosphere.sun.angular_radius /= distance;  // the disc's radiance stays the same
-}
+void SunPlace::apply_distance(Atmosphere& atmosphere) const { atmosphere.sun = sun_at(atmosphere.sun, distance); }
 
 void MachineOptions::add_to(CLI::App& app, const std::vector<std::string_view>& models) {
   app.add_option("--model", model, fmt::format("{} (default {})", join(models), model))

@@ -69,6 +69,8 @@ Sky make_sky(const Scene& scene, const SunPlace& sun, std::shared_ptr<Engine> en
 bool draws_sky_alone(const Scene& scene) {
   const Model& model = find_model(scene.picture.model);
   if (!model.colours) return false;
+  if (!scene.lights.empty())
+    throw InputError(fmt::format("model {}: knows one light, its sun; expected a scene without light", model.name));
   if (scene.has_land) {
     if (!model.surface.empty()) return false;
     throw InputError(
@@ -202,15 +204,17 @@ PictureFormat ScenePictureOptions::format(const Scene& scene) const {
 SceneShot::SceneShot(const Scene& scene, std::shared_ptr<const Land> land, std::shared_ptr<Engine> engine,
                      bool sun_disc, const std::vector<double>& wavelengths)
     : sun_(sun_place(scene, *land)),
-      sky_(make_sky(scene, sun_, std::move(engine))),
+      sky_(make_sky(scene, sun_, engine)),
+      more_lights_(lit_skies(scene, land->origin(), sky_, std::move(engine))),
       placed_(place_camera(scene.camera, *land)),
       sun_disc_(sun_disc),
       width_(placed_.camera.width),
       height_(scene.camera.camera.height),
       samples_(scene.picture.samples) {
   if (!draws_sky_alone(scene)) {
-    renderer_ = std::make_unique<SceneRenderer>(able_to_shade(sky_, scene, placed_, sun_), land, scene.surface,
-                                                SceneView{placed_, sun_.direction()},
+    SceneView view{placed_, sun_.direction()};
+    for (const LitSky& more : more_lights_) view.more_lights.push_back({&more.sky, more.direction()});
+    renderer_ = std::make_unique<SceneRenderer>(able_to_shade(sky_, scene, placed_, sun_), land, scene.surface, view,
                                                 scene_options(scene, sun_disc, wavelengths));
     width_ = renderer_->width();
   }
@@ -226,6 +230,7 @@ SceneShot::SceneShot(const Scene& scene, std::shared_ptr<const Land> land, std::
                {"camera elevation [degrees]", placed_.camera.elevation / degree},
                {"field of view [degrees]", placed_.camera.field_of_view / degree}};
   sun_.describe(metadata_);
+  describe(more_lights_, metadata_);
 }
 
 bool SceneShot::rows(const std::function<bool(int end, std::span<const float> rgb)>& take) const {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "airlight/sky.h"
+#include "lights.h"
 #include "model_options.h"
 #include "options.h"
 #include "picture_outputs.h"
@@ -77,6 +78,7 @@ class SceneShot {
  private:
   SunPlace sun_;
   Sky sky_;
+  std::vector<LitSky> more_lights_;
   std::unique_ptr<SceneRenderer> renderer_;  // none: a published system draws the sky
   PlacedCamera placed_;
   bool sun_disc_;

@@ -8,7 +8,7 @@
 
 #include "optics/light_lift.h"
 #include "render/air_shadows.h"
-#include "sky/camera.h"
+#include "render/light_disc.h"
 
 namespace airlight {
 namespace {
@@ -20,42 +20,6 @@ void in_parallel(std::size_t count, const Work& work) {
   });
 }
 
-/// The Sun's disc before the air, drawn into the sky.
-class Disc {
- public:
-  Disc(const Sky& sky, const HazeView& view, const Direction& sun, const std::array<double, 4>& wavelengths)
-      : sun_(sun) {
-    const Sun& star = sky.atmosphere().sun;
-    for (std::size_t k = 0; k < 4; ++k) {
-      limb_[k] = star.limb_darkening.at(wavelengths[k]);
-      irradiance_[k] = star.irradiance.at(wavelengths[k]);
-    }
-    // Of a cube's faces the one that looks nearest to the Sun.
-    Camera camera = view.camera;
-    double nearest = -2;
-    for (Camera face = camera; face.face < view.faces; ++face.face) {
-      const Direction axis = view_direction(face, 0.5, 0.5);
-      const double cosine = axis[0] * sun[0] + axis[1] * sun[1] + axis[2] * sun[2];
-      if (cosine > nearest) nearest = cosine, camera = face;
-    }
-    disc_ = disc_in_picture(camera, sun, star.angular_radius, limb_);
-  }
-
-  std::array<double, 4> radiance(const Direction& view) const {
-    const double dx = view[0] - sun_[0], dy = view[1] - sun_[1], dz = view[2] - sun_[2];
-    const double one_minus_cos = 0.5 * (dx * dx + dy * dy + dz * dz), reach = disc_.radius + disc_.edge;
-    if (2 * one_minus_cos >= reach * reach) return {};
-    auto radiance = disc_radiance(disc_, limb_, one_minus_cos);
-    for (std::size_t k = 0; k < 4; ++k) radiance[k] *= irradiance_[k];
-    return radiance;
-  }
-
- private:
-  Direction sun_;
-  std::array<double, 4> limb_{}, irradiance_{};
-  DiscInPicture disc_{};
-};
-
 }  // namespace
 
 struct HazePicture::Impl {
@@ -64,7 +28,7 @@ struct HazePicture::Impl {
   HazeSettings settings;
   std::array<double, 4> wavelengths;
   LightLift lift;
-  std::optional<Disc> disc;
+  std::vector<LightDisc> discs;
 
   Impl(const Sky& s, HazeView v, const HazeSettings& how)
       : sky(s),
@@ -72,7 +36,10 @@ struct HazePicture::Impl {
         settings(how),
         wavelengths(s.realtime_wavelengths()),
         lift(light_lift(s.atmosphere(), wavelengths)) {
-    if (settings.sun_disc && settings.fill_sky) disc.emplace(sky, view, settings.sun, wavelengths);
+    if (!settings.sun_disc || !settings.fill_sky) return;
+    discs.emplace_back(view.camera, view.faces, settings.sun, sky.atmosphere().sun, wavelengths);
+    for (const AirLight& light : settings.more_lights)
+      discs.emplace_back(view.camera, view.faces, light.direction, light.sky->atmosphere().sun, wavelengths);
   }
 
   /// The air before one point; which pixel it is for.
@@ -86,7 +53,10 @@ struct HazePicture::Impl {
     const bool is_sky = std::isinf(q.sight.distance);
     std::array<double, 4> light{};
     if (is_sky) {
-      if (disc) light = disc->radiance(q.sight.view);
+      for (const LightDisc& disc : discs) {
+        const auto more = disc.radiance(q.sight.view);
+        for (std::size_t k = 0; k < 4; ++k) light[k] += more[k];
+      }
     } else {
       light = lift.spectrum({pixel[0], pixel[1], pixel[2]});
     }
@@ -123,6 +93,7 @@ struct HazePicture::Impl {
     for (const Question& q : questions) sights.push_back(q.sight);
     std::vector<double> inscatter(4 * sights.size()), transmittance(inscatter.size());
     sky.haze(settings.altitude, settings.sun, sights, wavelengths, settings.shadows, inscatter, transmittance);
+    add_haze(settings.more_lights, settings.altitude, sights, wavelengths, inscatter);
     in_parallel(questions.size(),
                 [&](std::size_t i) { put(questions[i], &inscatter[4 * i], &transmittance[4 * i], rgba); });
   }

@@ -5,16 +5,18 @@
 #include <vector>
 
 #include "airlight/sky.h"
+#include "render/air_light.h"
 #include "render/haze_view.h"
 
 namespace airlight {
 
 struct HazeSettings {
-  double altitude = 2;                  ///< of the eye [m]
-  Direction sun{0, 0, 1};               ///< unit, in the eye's frame
-  bool fill_sky = true;                 ///< else pixels of the sky stay as they are
-  bool sun_disc = true;                 ///< in a filled sky
-  const AirShadows* shadows = nullptr;  ///< of land, in the eye's frame; must outlive the haze
+  double altitude = 2;                     ///< of the eye [m]
+  Direction sun{0, 0, 1};                  ///< unit, in the eye's frame
+  bool fill_sky = true;                    ///< else pixels of the sky stay as they are
+  bool sun_disc = true;                    ///< in a filled sky
+  const AirShadows* shadows = nullptr;     ///< of land, in the eye's frame; must outlive the haze
+  std::vector<AirLight> more_lights = {};  ///< beside the Sun; in the eye's frame
 };
 
 class HazePicture {

@@ -11,7 +11,9 @@
 #include "airlight/model_info.h"
 #include "model/model.h"
 #include "optics/number_text.h"
+#include "render/air_light.h"
 #include "render/air_shadows.h"
+#include "render/light_disc.h"
 #include "scene/sky_view.h"
 #include "sky/camera.h"
 #include "sky/channel_colours.h"
@@ -78,7 +80,6 @@ struct SceneRenderer::Impl {
   int samples, width;
   Position eye;
   double altitude, pixel;  // of the eye [m]; of a pixel [rad]
-  Direction sun_at_eye;
   Terrain terrain;
   const ColourModel* colours;       // set: the model answers in red, green and blue
   std::vector<double> wavelengths;  // that the sky is asked at
@@ -86,17 +87,17 @@ struct SceneRenderer::Impl {
   bool haze_at_corners;             // of triangles alone, as the model means it
   SurfaceColour colour;
   SkyViewMap sky_view, sky_view_near;  // the same, finer around the eye
-  std::optional<AirShadows> shadows;
-  ChannelColours to_rgb;                       // a channel: linear sRGB of its radiance
-  double sun_radius;                           // [rad] of the disc that is drawn
-  std::array<double, 4> limb{}, irradiance{};  // of the disc; its light in front of the air, or what of it arrives
-  struct Face {
-    std::function<std::optional<Direction>(double u, double v)> look;
-    DiscInPicture disc;
+  ChannelColours to_rgb;               // a channel: linear sRGB of its radiance
+  std::vector<std::function<std::optional<Direction>(double u, double v)>> faces;  // a cube has six, other pictures one
+  struct Light {
+    const Sky* sky;
+    Direction direction, at_eye;  // towards it, in the scene's frame and the eye's
+    double radius;                // [rad]
+    std::optional<AirShadows> shadows;
+    std::optional<LightDisc> disc;
   };
-  std::vector<Face> faces;   // a cube has six, every other picture one
-  std::size_t sun_face = 0;  // the one that looks nearest to the Sun
-  double nearest = -2;       // cosine of the angle between
+  std::vector<Light> lights;          // the Sun first
+  std::vector<AirLight> more_in_air;  // the others, as the air is asked
 
   Impl(const Sky& s, std::shared_ptr<const Land> l, const SurfaceSettings& surface, const SceneView& v,
        const SceneOptions& o)
@@ -109,50 +110,56 @@ struct SceneRenderer::Impl {
         eye(v.camera.eye),
         altitude(land->frame().altitude(eye)),
         pixel(v.camera.detail().pixel_angle),
-        sun_at_eye(v.camera.from_scene(v.sun)),
         terrain(land, level_of_detail(v.camera, o.triangle_pixels)),
         colours(model_info(s.model()).colours),
         wavelengths(sky_wavelengths(s, colours, o)),
         channels(colours ? 3 : 4),
         haze_at_corners(means_corners(s)),
         colour(surface, land, albedo_wavelengths(wavelengths)),
-        to_rgb(colours ? primaries(colours->luminance) : srgb_weights(s.atmosphere(), wavelengths)),
-        sun_radius(colours ? colours->sun_radius : s.atmosphere().sun.angular_radius) {
-    const Atmosphere& air = sky.atmosphere();
+        to_rgb(colours ? primaries(colours->luminance) : srgb_weights(s.atmosphere(), wavelengths)) {
+    if (colours && !view.more_lights.empty())
+      throw InputError("model " + std::string(sky.model()) +
+                       " knows one light, its sun: expected a scene without others");
     const double reach = std::min(options.shadow_grid.half_width, land->extent());
     const GroundPoint below = land->frame().ground(eye);
     sky_view = sky_view_map(*land, below.east, below.north, reach, sky_view_cells);
     sky_view_near = sky_view_map(*land, below.east, below.north, 0.25 * reach, sky_view_cells);
+    Camera camera = view.camera.camera;
+    for (camera.face = 0; camera.face < width / camera.width; ++camera.face) faces.push_back(viewer(camera));
+    lights.push_back(light(sky, view.sun));
+    for (const MoreLight& more : view.more_lights) lights.push_back(light(*more.sky, more.direction));
+    for (std::size_t i = 1; i < lights.size(); ++i)
+      more_in_air.push_back({lights[i].sky, lights[i].at_eye, lights[i].shadows ? &*lights[i].shadows : nullptr});
+  }
+
+  Light light(const Sky& of, const Direction& direction) const {
+    const Sun& source = of.atmosphere().sun;
+    Light result{&of, direction, view.camera.from_scene(direction), source.angular_radius, {}, {}};
     if (options.air_shadows) {
       ShadowGrid grid = options.shadow_grid;
       grid.east = eye[0];
       grid.north = eye[1];
+      const LevelOfDetail seen = view.camera.detail();
+      grid.axis = seen.axis;
+      grid.half_angle = seen.half_angle;
       // Several samples mostly share one look at the air, which may then be closer.
       const int steps = options.shadow_steps * (samples > 1 ? 2 : 1);
-      shadows = air_shadows(shadow_map(*land, view.sun, air.sun.angular_radius, grid), view.camera, steps);
+      result.shadows = air_shadows(shadow_map(*land, direction, source.angular_radius, grid), view.camera, steps);
     }
-    light_the_disc();
-    Camera camera = view.camera.camera;
-    for (camera.face = 0; camera.face < width / camera.width; ++camera.face) {
-      faces.push_back({viewer(camera), disc_in_picture(camera, sun_at_eye, std::max(sun_radius, 1e-4), limb)});
-      const Direction axis = view_direction(camera, 0.5, 0.5);
-      if (camera.face == 0 || dot(axis, sun_at_eye) > nearest)
-        sun_face = std::size_t(camera.face), nearest = dot(axis, sun_at_eye);
-    }
+    if (options.sun_disc) result.disc = disc(result);
+    return result;
   }
 
-  // A system of colours has an even disc of the sunlight that arrives; some have none, or one of their own making.
-  void light_the_disc() {
-    if (sun_radius == 0) options.sun_disc = false;
-    if (colours && options.sun_disc) {
-      const Ray ray{.altitude = altitude, .view = {0, 0, 1}, .sun = sun_at_eye};
-      sky.evaluate(Quantity::sun_irradiance, {&ray, 1}, wavelengths, std::span(irradiance).first(channels));
-    }
-    if (colours) return;
-    for (std::size_t k = 0; k < channels; ++k) {
-      limb[k] = sky.atmosphere().sun.limb_darkening.at(wavelengths[k]);
-      irradiance[k] = sky.atmosphere().sun.irradiance.at(wavelengths[k]);
-    }
+  std::optional<LightDisc> disc(const Light& light) const {
+    const Camera& camera = view.camera.camera;
+    const int count = int(faces.size());
+    if (!colours) return LightDisc(camera, count, light.at_eye, light.sky->atmosphere().sun, wavelengths);
+    // A system of colours has an even disc of the sunlight that arrives; some have none, or one of their own making.
+    if (colours->sun_radius == 0) return {};
+    std::array<double, 4> arriving{};
+    const Ray ray{.altitude = altitude, .view = {0, 0, 1}, .sun = light.at_eye};
+    sky.evaluate(Quantity::sun_irradiance, {&ray, 1}, wavelengths, std::span(arriving).first(channels));
+    return LightDisc(camera, count, light.at_eye, colours->sun_radius, {}, arriving);
   }
 
   double sky_seen(const GroundPoint& g) const {
@@ -175,7 +182,7 @@ struct SceneRenderer::Impl {
   std::optional<Direction> look(double u, double v) const {
     const double across = u * double(faces.size());
     const std::size_t face = std::min(std::size_t(std::max(across, 0.0)), faces.size() - 1);
-    return faces[face].look(across - double(face), v);
+    return faces[face](across - double(face), v);
   }
 
   // The samples of a strip, one after the other, pixel by pixel. One object serves all strips.
@@ -268,7 +275,10 @@ struct SceneRenderer::Impl {
                std::vector<double>& transmittance) const {
     inscatter.resize(channels * points.size());
     transmittance.resize(channels * points.size());
-    sky.haze(altitude, sun_at_eye, points, wavelengths, shadows ? &*shadows : nullptr, inscatter, transmittance);
+    const Light& sun = lights[0];
+    sky.haze(altitude, sun.at_eye, points, wavelengths, sun.shadows ? &*sun.shadows : nullptr, inscatter,
+             transmittance);
+    add_haze(more_in_air, altitude, points, wavelengths, inscatter);
     // The disc of a system of colours is of the light that arrives: no air dims it again.
     for (std::size_t i = 0; colours && i < points.size(); ++i) {
       if (std::isinf(points[i].distance)) std::fill_n(&transmittance[channels * i], channels, 1.0);
@@ -345,20 +355,17 @@ struct SceneRenderer::Impl {
     }
   }
 
-  // What comes from the far end of a sample's line of sight: light of the ground, or of the Sun.
+  // What comes from the far end of a sample's line of sight: light of the ground, or of discs.
   std::array<double, 4> behind(const Samples& s, std::size_t i) const {
     std::array<double, 4> light{};
     if (const int n = s.nth_on_ground[i]; n >= 0) {
       std::copy_n(&s.surface[channels * std::size_t(n)], channels, light.begin());
-    } else if (options.sun_disc) {
-      const DiscInPicture& disc = faces[sun_face].disc;
-      const double reach = disc.radius + disc.edge;
-      const Direction& v = s.sights[i].view;
-      const double dx = v[0] - sun_at_eye[0], dy = v[1] - sun_at_eye[1], dz = v[2] - sun_at_eye[2];
-      const double one_minus_cos = 0.5 * (dx * dx + dy * dy + dz * dz);
-      if (2 * one_minus_cos >= reach * reach) return light;
-      const auto shape = disc_radiance(disc, limb, one_minus_cos);
-      for (std::size_t k = 0; k < channels; ++k) light[k] = shape[k] * irradiance[k];
+    } else {
+      for (const Light& source : lights) {
+        if (!source.disc) continue;
+        const auto more = source.disc->radiance(s.sights[i].view);
+        for (std::size_t k = 0; k < channels; ++k) light[k] += more[k];
+      }
     }
     return light;
   }
@@ -372,7 +379,7 @@ struct SceneRenderer::Impl {
     s.sights = {{*seen}};
     s.inside = {1};
     see(s);
-    Answer answer{*seen, sun_at_eye, view.camera.to_scene(*seen), s.hits[0].distance, {}, {}, behind(s, 0)};
+    Answer answer{*seen, lights[0].at_eye, view.camera.to_scene(*seen), s.hits[0].distance, {}, {}, behind(s, 0)};
     for (std::size_t k = 0; k < channels; ++k) {
       answer.inscatter[k] = s.inscatter[k];
       answer.transmittance[k] = s.transmittance[k];
@@ -389,27 +396,6 @@ struct SceneRenderer::Impl {
     s.sun_visibility.resize(which.size());
     s.points.resize(which.size());
     for (auto* spectra : {&s.albedo, &s.surface, &s.skylight}) spectra->resize(channels * which.size());
-    terrain.sun_visibility(s.questions, view.sun, options.soft_shadows ? sky.atmosphere().sun.angular_radius : 0.0,
-                           s.sun_visibility);
-    in_parallel(which.size(), [&](std::size_t j) {
-      const TerrainHit& hit = s.hits[which[j]];
-      const Direction up = land->frame().up(hit.position), normal = wide(hit.shading_normal);
-      const double mu_s = std::clamp(dot(up, view.sun), -1.0, 1.0), nz = std::clamp(dot(normal, up), -1.0, 1.0);
-      const double cosine = std::clamp(dot(normal, view.sun), -1.0, 1.0);
-      const double sin_s = std::sqrt(std::max(1 - mu_s * mu_s, 1e-12)), across = std::sqrt(std::max(1 - nz * nz, 0.0));
-      const double nx = std::clamp((cosine - nz * mu_s) / sin_s, -across, across);
-      SurfacePoint& p = s.points[j];
-      p.altitude = hit.ground.altitude;
-      p.sun_zenith_cosine = mu_s;
-      p.sun_cosine = cosine;
-      p.normal = {nx, std::sqrt(std::max(1 - nz * nz - nx * nx, 0.0)), nz};
-      // The air's own sunlight knows the planet's horizon: land takes a part of what that leaves.
-      const double above = mu_s > 0.2 ? 1
-                                      : disc_above_sphere(mu_s, hit.ground.altitude, land->frame().radius(),
-                                                          sky.atmosphere().sun.angular_radius);
-      p.sun_visibility = above > 0 ? std::clamp(double(s.sun_visibility[j]) / above, 0.0, 1.0) : 0.0;
-      p.sky_view = hit.mesh ? sky_seen(hit.ground) : 1.0;
-    });
     constexpr std::size_t lanes = SurfaceColour::lanes;
     in_parallel((which.size() + lanes - 1) / lanes, [&](std::size_t packet) {
       const std::size_t begin = packet * lanes, end = std::min(begin + lanes, which.size());
@@ -418,7 +404,40 @@ struct SceneRenderer::Impl {
       colour.albedo({hits, end - begin}, pixel,
                     std::span(s.albedo).subspan(channels * begin, channels * (end - begin)));
     });
-    sky.surface(s.points, std::clamp(sun_at_eye[2], -1.0, 1.0), wavelengths, s.albedo, s.surface, s.skylight);
+    light_up(lights[0], s, s.sun_visibility, s.surface, s.skylight);
+    if (lights.size() == 1) return;
+    std::vector<float> visibility(which.size());
+    std::vector<double> surface(s.surface.size()), skylight(s.skylight.size());
+    for (std::size_t n = 1; n < lights.size(); ++n) {
+      light_up(lights[n], s, visibility, surface, skylight);
+      for (std::size_t i = 0; i < surface.size(); ++i) s.surface[i] += surface[i], s.skylight[i] += skylight[i];
+    }
+  }
+
+  // What of one light the ground sends on.
+  void light_up(const Light& light, Samples& s, std::span<float> visibility, std::span<double> surface,
+                std::span<double> skylight) const {
+    const std::vector<std::size_t>& which = s.on_ground;
+    terrain.sun_visibility(s.questions, light.direction, options.soft_shadows ? light.radius : 0.0, visibility);
+    in_parallel(which.size(), [&](std::size_t j) {
+      const TerrainHit& hit = s.hits[which[j]];
+      const Direction up = land->frame().up(hit.position), normal = wide(hit.shading_normal);
+      const double mu_s = std::clamp(dot(up, light.direction), -1.0, 1.0), nz = std::clamp(dot(normal, up), -1.0, 1.0);
+      const double cosine = std::clamp(dot(normal, light.direction), -1.0, 1.0);
+      const double sin_s = std::sqrt(std::max(1 - mu_s * mu_s, 1e-12)), across = std::sqrt(std::max(1 - nz * nz, 0.0));
+      const double nx = std::clamp((cosine - nz * mu_s) / sin_s, -across, across);
+      SurfacePoint& p = s.points[j];
+      p.altitude = hit.ground.altitude;
+      p.sun_zenith_cosine = mu_s;
+      p.sun_cosine = cosine;
+      p.normal = {nx, std::sqrt(std::max(1 - nz * nz - nx * nx, 0.0)), nz};
+      // The air's own sunlight knows the planet's horizon: land takes a part of what that leaves.
+      const double above =
+          mu_s > light.radius ? 1 : disc_above_sphere(mu_s, hit.ground.altitude, land->frame().radius(), light.radius);
+      p.sun_visibility = above > 0 ? std::clamp(double(visibility[j]) / above, 0.0, 1.0) : 0.0;
+      p.sky_view = hit.mesh ? sky_seen(hit.ground) : 1.0;
+    });
+    light.sky->surface(s.points, std::clamp(light.at_eye[2], -1.0, 1.0), wavelengths, s.albedo, surface, skylight);
   }
 
   // Means over the samples of each pixel.
@@ -459,7 +478,8 @@ struct SceneRenderer::Impl {
     out.depth.resize(pixels);
     out.sun_visibility.resize(pixels);
     // Albedo as the colour that sunlight outside the air takes on, relative to that of white.
-    const std::array<double, 4> white_light = colours ? std::array{1.0, 1.0, 1.0, 0.0} : irradiance;
+    std::array<double, 4> white_light{1, 1, 1, 0};
+    for (std::size_t k = 0; k < 4 && !colours; ++k) white_light[k] = sky.atmosphere().sun.irradiance.at(wavelengths[k]);
     const std::array<double, 3> white = rgb(white_light.data());
     in_parallel(pixels, [&](std::size_t p) {
       std::array<double, 4> surface{}, arriving{}, through{}, inscatter{}, skylight{}, reflected{};

@@ -12,10 +12,17 @@
 
 namespace airlight {
 
+/// A light beside the Sun.
+struct MoreLight {
+  const Sky* sky;       ///< of the same air and model, whose sun is this light; must outlive the renderer
+  Direction direction;  ///< unit, towards its centre, in the scene's frame
+};
+
 /// Who looks, in which light.
 struct SceneView {
   PlacedCamera camera;
   Direction sun{0, 0, 1};  ///< unit, towards the Sun's centre, in the scene's frame
+  std::vector<MoreLight> more_lights = {};
 };
 
 struct SceneOptions {
@@ -42,7 +49,7 @@ struct SceneRows {
   std::vector<float> position;        ///< 3: in the scene's frame [m]; sky: 0
   std::vector<float> normal;          ///< 3: smooth, in the scene's frame; sky: 0
   std::vector<float> albedo;          ///< 3: linear sRGB of a white-lit surface
-  std::vector<float> sun_visibility;  ///< 1: part of the disc that land leaves visible; sky: 0
+  std::vector<float> sun_visibility;  ///< 1: part of the Sun's disc that land leaves visible; sky: 0
   std::vector<float> sky_irradiance;  ///< 3: on the surface, photometric, linear sRGB [lx]
   // At each of the four wavelengths of real time: radiances [W m^-2 sr^-1 nm^-1], and transmittance, by which what leaves the pixel's
   // surfaces comes to the eye. Empty for a model that answers in colours.
@@ -51,7 +58,7 @@ struct SceneRows {
 
 class SceneRenderer {
  public:
-  /// @throws InputError for an eye in the ground, and all that Sky and Terrain refuse.
+  /// @throws InputError for an eye in the ground, more lights than a system of colours knows, and all that Sky and Terrain refuse.
   SceneRenderer(const Sky& sky, std::shared_ptr<const Land> land, const SurfaceSettings& surface, const SceneView& view,
                 const SceneOptions& options);
   ~SceneRenderer();
@@ -61,7 +68,7 @@ class SceneRenderer {
 
   /// What one line of sight brings, spectrally, at the four wavelengths of real time; or in red, green and blue, and 0.
   struct Answer {
-    Direction view, sun, view_in_scene;                       ///< view and sun in the eye's own frame; unit
+    Direction view, sun, view_in_scene;                       ///< view and Sun in the eye's own frame; unit
     double distance;                                          ///< [m]; infinite: the sky
     std::array<double, 4> inscatter, transmittance, surface;  ///< radiances [W m^-2 sr^-1 nm^-1]
   };

@@ -2,6 +2,7 @@
 #pragma once
 #include <optional>
 
+#include "airlight/atmosphere.h"
 #include "scene/sun_position.h"
 
 namespace airlight {
@@ -20,6 +21,13 @@ inline SunPosition sun_of(const SceneSun& sun, const Place& origin) {
   SunPosition position = sun_position(sun.place.value_or(origin), *sun.time);
   if (sun.refraction) position.elevation += refraction(position.elevation);
   return position;
+}
+
+/// The Sun from a distance [astronomical units]: irradiance falls with its square, the disc's radius with it.
+inline Sun sun_at(Sun sun, double distance) {
+  sun.irradiance = sun.irradiance.scaled(1 / (distance * distance));
+  sun.angular_radius /= distance;  // the disc's radiance stays the same
+  return sun;
 }
 
 }  // namespace airlight

@@ -62,6 +62,19 @@ struct Ground {
   }
 };
 
+/// The cells [first, last) of one of the map's axes that a cone from its middle may lie over: all, or those on one side.
+struct Cells {
+  int first, last;
+
+  Cells(const ShadowGrid& grid, const std::array<double, 2>& axis) : first(0), last(grid.cells) {
+    constexpr double right_angle = std::numbers::pi / 2;
+    constexpr int margin = 2;  // of interpolation
+    const double turn = std::acos(std::clamp(grid.axis[0] * axis[0] + grid.axis[1] * axis[1], -1.0, 1.0));
+    if (turn + grid.half_angle < right_angle) first = std::max(0, grid.cells / 2 - margin);
+    if (turn - grid.half_angle > right_angle) last = std::min(grid.cells, grid.cells / 2 + margin);
+  }
+};
+
 }  // namespace
 
 double disc_fraction(double height) {
@@ -87,8 +100,10 @@ ShadowMap shadow_map(const Land& land, const Direction& sun, double angular_radi
   map.first_along = grid.east * map.along[0] + grid.north * map.along[1] - inner;
   map.first_across = grid.east * map.across[0] + grid.north * map.across[1] - inner;
   const auto count = std::size_t(grid.cells);
-  map.dark.resize(count * count);
-  map.lit.resize(count * count);
+  constexpr float underground = -1e6f;
+  map.dark.assign(count * count, underground);
+  map.lit.assign(count * count, underground);
+  const Cells rows(grid, map.across), columns(grid, map.along);
 
   const double elevation = std::atan2(sun[2], flat), centre = land.frame().radius();
   const SunPlane upper(elevation + angular_radius), lower(elevation - angular_radius);
@@ -101,9 +116,9 @@ ShadowMap shadow_map(const Land& land, const Direction& sun, double angular_radi
   // A ridge's shadow is as soft as its distance times the sun's width: far ground may be coarse.
   std::vector<double> beyond, inside;
   for (double u = farthest; u > edge; u -= std::max(map.spacing, 0.005 * (u - edge))) beyond.push_back(u);
-  for (int i = 0; i < grid.cells; ++i) inside.push_back(map.first_along + i * map.spacing);
+  for (int i = columns.first; i < grid.cells; ++i) inside.push_back(map.first_along + i * map.spacing);
 
-  tbb::parallel_for(0, grid.cells, [&](int row) {
+  tbb::parallel_for(rows.first, rows.last, [&](int row) {
     const double v = map.first_across + row * map.spacing;
     const double sphere = centre + land.plain_altitude();
     const double circle = std::sqrt(std::max(sphere * sphere - v * v, 0.0));
@@ -117,7 +132,7 @@ ShadowMap shadow_map(const Land& land, const Direction& sun, double angular_radi
     for (std::size_t i = inside.size(); i-- > 0;) {
       meet(near, i);
       const double u = inside[i], x = u * map.along[0] + v * map.across[0], y = u * map.along[1] + v * map.across[1];
-      const std::size_t k = std::size_t(row) * count + i;
+      const std::size_t k = std::size_t(row) * count + std::size_t(columns.first) + i;
       map.dark[k] = float(land.frame().altitude({x, y, upper.height(u, dark)}));
       map.lit[k] = float(land.frame().altitude({x, y, lower.height(u, lit)}));
     }

@@ -1,5 +1,6 @@
 // Which air lies in the mountains' shadow: for each place the altitude above which the sun is seen.
 #pragma once
+#include <numbers>
 #include <vector>
 
 #include "scene/land.h"
@@ -11,6 +12,10 @@ struct ShadowGrid {
   double east = 0, north = 0;  ///< its middle, straight (not along the sphere) in the scene's frame [m]
   double half_width = 40'000;  ///< [m]
   int cells = 768;             ///< along a side
+  /// Cone around a direction of the scene's frame that holds all that is looked at from above the middle [rad]; what lies to one side
+  /// of it is left lit.
+  Direction axis{0, 0, 1};
+  double half_angle = std::numbers::pi;
 };
 
 /// Rays to the sun are parallel, so the map lies in straight axes of the scene's frame, `along` pointing to the sun's

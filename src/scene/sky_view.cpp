@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
 
 #include "airlight/error.h"
 #include "every_processor.h"
@@ -22,43 +23,37 @@ struct Level {
   std::vector<float> altitude;
 };
 
-/// Where a row of the map looks in a level: the same fraction between two of its rows; in cells of the level, `first` for the map's
-/// first cell and `step` from one to the next.
-struct Look {
-  const float *lower, *upper;
-  float between, first, step, last;
-};
-
-AIRLIGHT_INLINE float seen(const Look& look, int i) {
-  const float x = std::min(std::max(look.first + float(i) * look.step, 0.0f), look.last);
-  const int cell = int(x);
-  const float fx = x - float(cell);
-  const float low = look.lower[cell] + (look.lower[cell + 1] - look.lower[cell]) * fx;
-  const float high = look.upper[cell] + (look.upper[cell + 1] - look.upper[cell]) * fx;
-  return low + (high - low) * look.between;
-}
-
-/// Altitudes of a row, some way off.
+/// Altitudes along a line of a level that lies east to west, between two of its rows.
 AIRLIGHT_EVERY_PROCESSOR
-void altitudes(const Look& look, int count, float* out) {
-  for (int i = 0; i < count; ++i) out[i] = seen(look, i);
+void blend_rows(const float* lower, const float* upper, float between, int count, float* out) {
+  for (int i = 0; i < count; ++i) out[i] = lower[i] + (upper[i] - lower[i]) * between;
 }
+
+/// Altitudes on that line at `first` and each `step` from there [cells of the level], held constant beyond its ends.
+AIRLIGHT_EVERY_PROCESSOR
+void altitudes_along(const float* line, float first, float step, float last, int count, float* out) {
+  for (int i = 0; i < count; ++i) {
+    const float x = std::min(std::max(first + float(i) * step, 0.0f), last);
+    const int cell = int(x);
+    out[i] = line[cell] + (line[cell + 1] - line[cell]) * (x - float(cell));
+  }
+}
+
 /// Lifts the tangent of each place's horizon to what stands there.
 AIRLIGHT_EVERY_PROCESSOR
-void raise_horizon(const Look& look, int count, const float* here, float sunk, float per_metre, float* horizon) {
-  for (int i = 0; i < count; ++i) horizon[i] = std::max(horizon[i], (seen(look, i) - here[i] - sunk) * per_metre);
+void raise_horizon(const float* there, const float* here, int count, float sunk, float per_metre, float* horizon) {
+  for (int i = 0; i < count; ++i) horizon[i] = std::max(horizon[i], (there[i] - here[i] - sunk) * per_metre);
 }
 
-Look look_in(const Level& level, double east, double north, double spacing) {
+/// What a row of the map sees in a level: as many altitudes as `out` holds, from (east, north) on in steps of `spacing` to the east.
+/// @param line  as long as a row of the level; overwritten
+void look(const Level& level, double east, double north, double spacing, std::span<float> line, std::span<float> out) {
   const double y = std::clamp((north - level.first_north) / level.spacing, 0.0, level.cells - 1.001);
   const int j = int(y);
   const float* lower = &level.altitude[std::size_t(j) * std::size_t(level.cells)];
-  return {lower,
-          lower + level.cells,
-          float(y - j),
-          float((east - level.first_east) / level.spacing),
-          float(spacing / level.spacing),
-          float(level.cells) - 1.001f};
+  blend_rows(lower, lower + level.cells, float(y - j), level.cells, line.data());
+  altitudes_along(line.data(), float((east - level.first_east) / level.spacing), float(spacing / level.spacing),
+                  float(level.cells) - 1.001f, int(out.size()), out.data());
 }
 
 Level sample(const Land& land, double east, double north, double half_width, int cells) {
@@ -101,15 +96,18 @@ SkyViewMap sky_view_map(const Land& land, double east, double north, double half
   map.factor.resize(levels[0].altitude.size());
 
   const double diameter = 2 * land.frame().radius();
+  std::size_t longest = 0;
+  for (const Level& level : levels) longest = std::max(longest, std::size_t(level.cells));
   tbb::parallel_for(0, cells, [&](int j) {
     const auto count = std::size_t(cells);
     const double x = map.first_east, y = map.first_north + j * spacing;
     const float* here = &levels[0].altitude[std::size_t(j) * count];
-    std::vector<float> at_west(count), at_east(count), at_south(count), at_north(count), horizon(count), sum(count);
-    altitudes(look_in(levels[0], x - spacing, y, spacing), cells, at_west.data());
-    altitudes(look_in(levels[0], x + spacing, y, spacing), cells, at_east.data());
-    altitudes(look_in(levels[0], x, y - spacing, spacing), cells, at_south.data());
-    altitudes(look_in(levels[0], x, y + spacing, spacing), cells, at_north.data());
+    std::vector<float> at_west(count), at_east(count), at_south(count), at_north(count), there(count), horizon(count),
+        sum(count), line(longest);
+    look(levels[0], x - spacing, y, spacing, line, at_west);
+    look(levels[0], x + spacing, y, spacing, line, at_east);
+    look(levels[0], x, y - spacing, spacing, line, at_south);
+    look(levels[0], x, y + spacing, spacing, line, at_north);
     const auto gradient = [&](const std::vector<float>& from, const std::vector<float>& to, std::size_t i) {
       return (to[i] - from[i]) * float(0.5 / spacing);
     };
@@ -125,8 +123,8 @@ SkyViewMap sky_view_map(const Land& land, double east, double north, double half
           // Each level looks from 3 to 6 of its own cells away; the first also nearer, the last also farther.
           if ((l > 0 && steps <= 3) || (l + 1 < levels.size() && steps > 6)) continue;
           const double d = steps * levels[l].spacing;
-          raise_horizon(look_in(levels[l], x + d * dx, y + d * dy, spacing), cells, here, float(d * d / diameter),
-                        float(1 / d), horizon.data());
+          look(levels[l], x + d * dx, y + d * dy, spacing, line, there);
+          raise_horizon(there.data(), here, cells, float(d * d / diameter), float(1 / d), horizon.data());
         }
       }
       for (std::size_t i = 0; i < count; ++i) {

@@ -10,6 +10,7 @@
 #include <cstdio>
 
 #include "airlight/error.h"
+#include "scene/topocentric.h"
 
 namespace airlight {
 namespace {
@@ -154,21 +155,15 @@ std::string format_time(const Time& time) {
   return result + "Z";
 }
 
-// Errors: UT1 is taken as UTC (they differ by less than 0.9 s: 0.004 degrees of the Earth's turn). Polar motion (0.0001
-// degrees) and the observer's own speed (0.0001 degrees of aberration) are left out. Before 1960 there was no UTC: the
-// time is taken as Universal Time, 32 s behind Terrestrial Time, which is wrong by up to 36 s, 0.0004 degrees of the
-// Sun's way. The same holds for leap seconds yet to be decreed.
+// Polar motion (0.0001 degrees) and the observer's own speed (0.0001 degrees of aberration) are left out.
 SunPosition sun_position(const Place& place, const Time& time) {
-  double tai1 = 0, tai2 = 0, tt1 = 0, tt2 = 0, ut1 = 0, ut2 = 0;
-  eraUtctai(time.day, time.fraction, &tai1, &tai2);
-  eraTaitt(tai1, tai2, &tt1, &tt2);
-  eraUtcut1(time.day, time.fraction, 0.0, &ut1, &ut2);
+  const EphemerisTime at = ephemeris_time(time);
 
   // Light reaches us from where the Sun was 8 minutes ago, barycentric. (TT serves as TDB: 2 ms.)
   double earth_of_sun[2][3], earth[2][3], then_of_sun[2][3], then[2][3];
-  eraEpv00(tt1, tt2, earth_of_sun, earth);
+  eraEpv00(at.tt1, at.tt2, earth_of_sun, earth);
   const double travel = eraPm(earth_of_sun[0]) * ERFA_AULT / ERFA_DAYSEC;  // days
-  eraEpv00(tt1, tt2 - travel, then_of_sun, then);
+  eraEpv00(at.tt1, at.tt2 - travel, then_of_sun, then);
   double sun[3], direction[3], distance = 0;
   for (int i = 0; i < 3; ++i) sun[i] = then[0][i] - then_of_sun[0][i] - earth[0][i];
   eraPn(sun, &distance, direction);
@@ -178,27 +173,7 @@ SunPosition sun_position(const Place& place, const Time& time) {
   double velocity[3], apparent[3];
   eraSxp(1.0 / light_speed, earth[1], velocity);
   eraAb(direction, velocity, eraPm(earth_of_sun[0]), std::sqrt(1.0 - eraPdp(velocity, velocity)), apparent);
-
-  // To the true equator and equinox of date, then turned with the Earth.
-  double of_date[3][3], terrestrial[3];
-  eraPnm06a(tt1, tt2, of_date);
-  eraRz(eraGst06(ut1, ut2, tt1, tt2, of_date), of_date);
-  eraRxp(of_date, apparent, terrestrial);
-
-  // Parallax: from the observer instead of the Earth's centre, up to 8.8 seconds of arc.
-  double observer[3], topocentric[3];
-  eraGd2gc(ERFA_WGS84, place.longitude, place.latitude, 0.0, observer);
-  for (int i = 0; i < 3; ++i) topocentric[i] = terrestrial[i] * distance - observer[i] / ERFA_DAU;
-
-  const double cp = std::cos(place.latitude), sp = std::sin(place.latitude);
-  const double cl = std::cos(place.longitude), sl = std::sin(place.longitude);
-  const auto along = [&](double x, double y, double z) {
-    return x * topocentric[0] + y * topocentric[1] + z * topocentric[2];
-  };
-  const double east = along(-sl, cl, 0), north = along(-sp * cl, -sp * sl, cp), up = along(cp * cl, cp * sl, sp);
-  return {.azimuth = eraAnp(std::atan2(east, north)),
-          .elevation = std::atan2(up, std::hypot(east, north)),
-          .distance = eraPm(topocentric)};
+  return topocentric(place, at, {apparent[0] * distance, apparent[1] * distance, apparent[2] * distance});
 }
 
 double refraction(double elevation) {

@@ -311,7 +311,7 @@ void in_packets(std::size_t count, const Work& work) {
 
 constexpr double draft_pixels = 16;
 
-/// Foreshortening of a tree's leaves, from the number of rays that meet them; those beside a leaf that is met count as hardly
+/// Foreshortening of parts of a tree's leaves, from the number of rays that meet them; those beside one that is met count as hardly
 /// seen, since the draft's ridges are not quite the final ones.
 std::vector<float> stretches(const Terrain& terrain, const TileTree& tree, const LevelOfDetail& detail) {
   // Directions spread evenly over the cone: a golden-angle spiral (Vogel 1979), about one a draft's pixel.
@@ -335,27 +335,31 @@ std::vector<float> stretches(const Terrain& terrain, const TileTree& tree, const
   terrain.hits(rays, hits);
   constexpr float most = 3;  // even edge-on, a ridge's outline is wanted
   const double solid_angle = 2 * std::numbers::pi * cap / double(count);
-  std::vector<float> facing(tree.leaves().size(), 0), result(tree.leaves().size(), 0);
+  constexpr std::int32_t parts = TileTree::Draft::parts;
+  TileTree::Draft draft{&tree, std::vector<float>(tree.leaves().size() * parts * parts, 0)};
+  std::vector<float> facing(draft.stretch.size(), 0);
   for (const TerrainHit& hit : hits) {
-    const int leaf = hit.mesh ? tree.leaf_at(tree.lattice(hit.ground.east), tree.lattice(hit.ground.north)) : -1;
-    if (leaf < 0) continue;
+    const int part = hit.mesh ? draft.part_at(tree.lattice(hit.ground.east), tree.lattice(hit.ground.north)) : -1;
     // Area of ground turned to the eye.
-    facing[std::size_t(leaf)] += float(solid_angle * hit.distance * hit.distance);
+    if (part >= 0) facing[std::size_t(part)] += float(solid_angle * hit.distance * hit.distance);
   }
-  for (std::size_t leaf = 0; leaf < facing.size(); ++leaf) {
-    if (facing[leaf] == 0) continue;
-    const Tile& tile = tree.leaves()[leaf];
-    const std::int32_t width = TileTree::tile_cells * TileTree::span(tile.level);
-    const double metres = TileTree::tile_cells * tree.cell(tile.level);
-    result[leaf] = std::clamp(float(metres / std::sqrt(facing[leaf])), 1.0f, most);
-    for (std::int32_t j = -1; j <= 1; ++j) {
-      for (std::int32_t i = -1; i <= 1; ++i) {
-        const int beside = tree.leaf_at(tile.x + width / 2 + i * width, tile.y + width / 2 + j * width);
-        if (beside >= 0 && result[std::size_t(beside)] == 0) result[std::size_t(beside)] = most;
+  for (std::size_t part = 0; part < facing.size(); ++part) {
+    if (facing[part] == 0) continue;
+    const Tile& tile = tree.leaves()[part / (parts * parts)];
+    const std::int32_t width = TileTree::tile_cells * TileTree::span(tile.level) / parts;
+    const double metres = TileTree::tile_cells * tree.cell(tile.level) / parts;
+    draft.stretch[part] = std::clamp(float(metres / std::sqrt(facing[part])), 1.0f, most);
+    const std::int32_t x = tile.x + std::int32_t(part % parts) * width + width / 2,
+                       y = tile.y + std::int32_t(part / parts % parts) * width + width / 2;
+    constexpr std::int32_t reach = 2;
+    for (std::int32_t j = -reach; j <= reach; ++j) {
+      for (std::int32_t i = -reach; i <= reach; ++i) {
+        const int beside = draft.part_at(x + i * width, y + j * width);
+        if (beside >= 0 && draft.stretch[std::size_t(beside)] == 0) draft.stretch[std::size_t(beside)] = most;
       }
     }
   }
-  return result;
+  return draft.stretch;
 }
 
 }  // namespace

@@ -120,11 +120,30 @@ int TileTree::level_at(std::int32_t x, std::int32_t y) const {
   return leaf < 0 ? finest_level : leaves_[std::size_t(leaf)].level;
 }
 
+int TileTree::Draft::part_at(std::int32_t x, std::int32_t y) const {
+  const int leaf = tree->leaf_at(x, y);
+  if (leaf < 0) return -1;
+  const Tile& tile = tree->leaves_[std::size_t(leaf)];
+  const std::int32_t width = tile_cells * span(tile.level) / parts;
+  return (leaf * parts + (y - tile.y) / width) * parts + (x - tile.x) / width;
+}
+
 double TileTree::stretch(const Draft& draft, const Tile& tile) const {
-  // A tile that is greater than the draft's has parts of which some may be seen: it is the smaller ones' turn.
-  const std::int32_t half = tile_cells * span(tile.level) / 2;
+  const std::int32_t width = tile_cells * span(tile.level), half = width / 2;
   const int leaf = draft.tree->leaf_at(tile.x + half, tile.y + half);
-  return draft.tree->leaves_[std::size_t(leaf)].level > tile.level ? 1 : draft.stretch[std::size_t(leaf)];
+  const Tile& coarse = draft.tree->leaves_[std::size_t(leaf)];
+  // A tile that is greater than the draft's has parts of which some may be seen: it is the smaller ones' turn.
+  if (coarse.level > tile.level) return 1;
+  // Of all parts that it lies over, the one that is seen best.
+  const std::int32_t part = tile_cells * span(coarse.level) / Draft::parts;
+  float best = 0;
+  for (std::int32_t y = tile.y; y < tile.y + width; y += part) {
+    for (std::int32_t x = tile.x; x < tile.x + width; x += part) {
+      const float stretch = draft.stretch[std::size_t(draft.part_at(x, y))];
+      if (stretch > 0) best = best > 0 ? std::min(best, stretch) : stretch;
+    }
+  }
+  return double(best);
 }
 
 int TileTree::coarsest_at(std::int32_t x, std::int32_t y) const {

@@ -20,11 +20,15 @@ class TileTree {
  public:
   static constexpr int tile_cells = 32;
 
-  /// A coarser tree, and for each of its leaves how much greater than a pixel cells may be there: 1 for ground seen face to
-  /// face, more for what is foreshortened, 0 for what is hidden.
+  /// A coarser tree, and for each part of its leaves (`parts` x `parts` a leaf, from the south-west, east fastest) how much greater
+  /// than a pixel cells may be there: 1 for ground seen face to face, more for what is foreshortened, 0 for what is hidden.
   struct Draft {
+    static constexpr int parts = 8;
     const TileTree* tree;
     std::vector<float> stretch;
+
+    /// Index of the part around the lattice square whose south-west corner is given; -1 outside of everything.
+    int part_at(std::int32_t x, std::int32_t y) const;
   };
   /// @param draft  null: all may be seen, face to face
   TileTree(const Land& land, const LevelOfDetail& detail, const Draft* draft = nullptr);

@@ -205,10 +205,10 @@ bool Animation::animates(std::string_view key) const {
 }
 
 bool Animation::changes_land() const {
-  // Of the sun, the camera, the ground's colour and the picture land knows nothing.
+  // Of lights, the camera, the ground's colour and the picture land knows nothing.
   return !std::ranges::all_of(impl_->tracks, [](const Track& track) {
     const std::string_view part = std::string_view(track.key).substr(0, track.key.find_first_of(".["));
-    return part == "sun" || part == "camera" || part == "surface" || part == "picture";
+    return part == "sun" || part == "light" || part == "camera" || part == "surface" || part == "picture";
   });
 }
 

@@ -13,6 +13,7 @@
 #include "scenefile/atmosphere_file.h"
 #include "scenefile/model_toml.h"
 #include "scenefile/scene_toml.h"
+#include "scenefile/spectrum_toml.h"
 #include "scenefile/text_file.h"
 #include "scenefile/toml_text.h"
 
@@ -166,7 +167,8 @@ SceneCamera read_camera(TableReader reader) {
   return scene;
 }
 
-SceneSun read_sun(TableReader reader) {
+/// @param angles_needed  where there is no time
+SceneSun read_where(TableReader& reader, bool angles_needed) {
   SceneSun sun;
   const bool timed = reader.has("time");
   one_of(reader, timed, reader.has("elevation"), "elevation", "time");
@@ -177,14 +179,43 @@ SceneSun read_sun(TableReader reader) {
     if (reader.has("place")) sun.place = place(reader, "place");
     sun.refraction = reader.flag("refraction", false);
   } else {
-    sun.elevation = degree * number(reader, "elevation", elevations);
+    if (angles_needed || reader.has("elevation")) sun.elevation = degree * number(reader, "elevation", elevations);
     sun.azimuth = degree * number(reader, "azimuth", turns, 0);
     for (const char* key : {"place", "refraction"}) {
       if (reader.has(key)) reader.fail(key, ": expected only where time is given");
     }
   }
+  return sun;
+}
+
+SceneSun read_sun(TableReader reader) {
+  const SceneSun sun = read_where(reader, true);
   reader.finish();
   return sun;
+}
+
+/// @param sun  a moon that says not where it stands is that of the sun's place and time
+SceneLight read_light(TableReader& reader, const SceneSun& sun) {
+  SceneLight light;
+  constexpr std::array<std::string_view, 2> bodies{"sun", "moon"};
+  light.moon = choice(reader, "body", bodies, 0) == 1;
+  const bool with_the_sun = light.moon && sun.time && !reader.has("time") && !reader.has("elevation");
+  light.place = read_where(reader, !with_the_sun);
+  if (with_the_sun) {
+    if (reader.has("azimuth")) reader.fail("azimuth", ": expected elevation, too");
+    light.place = sun;
+  }
+  if (reader.has("phase")) {
+    if (!light.moon || light.place.time) reader.fail("phase", ": expected only of a moon that stands by angles");
+    light.phase = degree * number(reader, "phase", {0, 180, "degrees"});
+  }
+  one_of(reader, reader.has("ratio"), reader.has("irradiance"), "irradiance", "ratio");
+  light.ratio = number(reader, "ratio", {0, 1e6}, 1);
+  if (reader.has("irradiance")) light.irradiance = read_spectrum(reader, "irradiance", {0, 1e6, "W m^-2 nm^-1"});
+  if (reader.has("angular_radius"))
+    light.angular_radius = degree * number(reader, "angular_radius", {0.001, 85, "degrees"});
+  reader.finish();
+  return light;
 }
 
 ElevationFile read_terrain(TableReader& reader) {
@@ -274,6 +305,9 @@ Scene read_scene(const toml::table& document, const std::string& file) {
   scene.land.planet_radius = scene.air.planet.ground_radius;
   if (root.has("place")) scene.land.origin = place(root, "place");
   scene.sun = read_sun(root.table("sun"));
+  if (root.has("light")) {
+    for (TableReader& reader : root.tables("light")) scene.lights.push_back(read_light(reader, scene.sun));
+  }
   if (root.has("terrain")) {
     for (TableReader& reader : root.tables("terrain")) scene.land.files.push_back(read_terrain(reader));
   }

@@ -4,11 +4,13 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "airlight/atmosphere.h"
 #include "airlight/parameters.h"
 #include "scene/land.h"
 #include "scene/scene_camera.h"
+#include "scene/scene_light.h"
 #include "scene/scene_sun.h"
 #include "scene/surface_colour.h"
 
@@ -29,6 +31,7 @@ struct Scene {
   Atmosphere air;
   SceneCamera camera;
   SceneSun sun;
+  std::vector<SceneLight> lights;  ///< beside the sun
   LandSettings
       land;  ///< files with their paths as this process finds them; the planet's radius is that of the air's planet
   bool has_land = false;  ///< false: neither files nor relief, a bare sphere

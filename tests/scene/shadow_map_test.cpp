@@ -122,5 +122,33 @@ TEST(ShadowMap, agrees_with_rays_among_mountains) {
   }
 }
 
+TEST(ShadowMap, what_is_not_looked_at_may_be_left_out) {
+  LandSettings settings;
+  settings.relief = ReliefSettings{};
+  settings.extent = 20'000;
+  const Land land(settings);
+  const Direction sun = towards(1.0, 3 * degree);
+  const ShadowGrid whole{500, -300, 10'000, 64};
+  const ShadowMap all = shadow_map(land, sun, radius, whole);
+  for (const double azimuth : {0.2, 1.1, 2.6, 3.4, 5.9}) {
+    ShadowGrid part = whole;
+    part.axis = towards(azimuth, -0.1);
+    part.half_angle = 0.4;
+    const ShadowMap seen = shadow_map(land, sun, radius, part);
+    std::size_t left_out = 0;
+    for (std::size_t k = 0; k < seen.lit.size(); ++k) left_out += seen.lit[k] != all.lit[k];
+    EXPECT_GT(left_out, seen.lit.size() / 3) << azimuth;
+    // Along rays inside the cone both are the same, to the bit.
+    for (const double turn : {-0.39, -0.2, 0.0, 0.3, 0.39}) {
+      for (double away = 1; away < 15'000; away *= 1.2) {
+        const Direction view = towards(azimuth + turn, 0);
+        const Position p{whole.east + away * view[0], whole.north + away * view[1], 800};
+        for (const double altitude : {300.0, 900.0, 1500.0})
+          ASSERT_EQ(seen.visibility(p, altitude), all.visibility(p, altitude)) << azimuth << ' ' << turn << ' ' << away;
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace airlight

@@ -120,5 +120,44 @@ TEST(SceneFile, shipped_scenes_are_read) {
   EXPECT_GE(with_land, 4);
 }
 
+TEST(Scene, has_lights_beside_its_sun) {
+  const Scene scene = parse_scene(R"(
+[camera]
+[sun]
+time = "2026-06-21T18:40Z"
+place = "46.5,7.5"
+[[light]]
+elevation = 20
+azimuth = 200
+ratio = 0.25
+angular_radius = 1
+[[light]]
+body = "moon"
+[[light]]
+body = "moon"
+elevation = 40
+phase = 90
+irradiance = 1e-6
+)",
+                                  "s.toml");
+  ASSERT_EQ(scene.lights.size(), 3u);
+  const SceneLight &second = scene.lights[0], &moon = scene.lights[1], &fixed = scene.lights[2];
+  EXPECT_FALSE(second.moon);
+  EXPECT_NEAR(second.place.azimuth, 200 * degree, 1e-12);
+  const Place origin{46 * degree, 8 * degree};
+  const PlacedLight placed = place_light(second, scene.air.sun, origin);
+  EXPECT_NEAR(placed.elevation, 20 * degree, 1e-12);
+  EXPECT_NEAR(placed.source.irradiance.at(550) / scene.air.sun.irradiance.at(550), 0.25, 1e-12);
+  EXPECT_NEAR(placed.source.angular_radius, 1 * degree, 1e-12);
+  EXPECT_TRUE(moon.moon);
+  ASSERT_TRUE(moon.place.time);
+  EXPECT_EQ(format_time(*moon.place.time), "2026-06-21T18:40:00Z") << "of the sun, where it says none of its own";
+  ASSERT_TRUE(moon.place.place);
+  EXPECT_NEAR(moon.place.place->longitude, 7.5 * degree, 1e-12);
+  EXPECT_NEAR(fixed.phase, 90 * degree, 1e-12);
+  EXPECT_EQ(place_light(fixed, scene.air.sun, origin).source.irradiance.at(700), 1e-6);
+  EXPECT_NEAR(place_light(fixed, scene.air.sun, origin).source.angular_radius, 0.00452, 1e-5);
+}
+
 }  // namespace
 }  // namespace airlight
