@@ -83,7 +83,9 @@ bool draws_sky_alone(const Scene& scene) {
 }
 
 /// Says so before the land's triangles are made where a model cannot shade the air: it is asked for one point.
-const Sky& able_to_shade(const Sky& sky, const Scene& scene, const PlacedCamera& camera, const SunPlace& sun) {
+/// @param altitude  of the eye [m], to the bit as the renderer has it: the tables are made for both
+const Sky& able_to_shade(const Sky& sky, const Scene& scene, const PlacedCamera& camera, double altitude,
+                         const SunPlace& sun) {
   if (!scene.picture.air_shadows) return sky;
   constexpr float underground = -1e6f;
   const AirShadows none{.width = 2, .height = 2, .edges = std::make_shared<std::vector<float>>(8, underground)};
@@ -92,8 +94,7 @@ const Sky& able_to_shade(const Sky& sky, const Scene& scene, const PlacedCamera&
     throw InputError(fmt::format("model {}: cannot shade the air; expected picture.air_shadows = false", sky.model()));
   const auto wavelengths = sky.realtime_wavelengths();
   std::array<double, 4> inscatter, transmittance;
-  sky.haze(camera.camera.altitude, camera.from_scene(sun.direction()), {&point, 1}, wavelengths, &none, inscatter,
-           transmittance);
+  sky.haze(altitude, camera.from_scene(sun.direction()), {&point, 1}, wavelengths, &none, inscatter, transmittance);
   return sky;
 }
 
@@ -214,8 +215,9 @@ SceneShot::SceneShot(const Scene& scene, std::shared_ptr<const Land> land, std::
   if (!draws_sky_alone(scene)) {
     SceneView view{placed_, sun_.direction()};
     for (const LitSky& more : more_lights_) view.more_lights.push_back({&more.sky, more.direction()});
-    renderer_ = std::make_unique<SceneRenderer>(able_to_shade(sky_, scene, placed_, sun_), land, scene.surface, view,
-                                                scene_options(scene, sun_disc, wavelengths));
+    renderer_ =
+        std::make_unique<SceneRenderer>(able_to_shade(sky_, scene, placed_, land->frame().altitude(placed_.eye), sun_),
+                                        land, scene.surface, view, scene_options(scene, sun_disc, wavelengths));
     width_ = renderer_->width();
   }
   metadata_ = {{"Software", version()},

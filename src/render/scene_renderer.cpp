@@ -91,8 +91,9 @@ struct SceneRenderer::Impl {
   std::vector<std::function<std::optional<Direction>(double u, double v)>> faces;  // a cube has six, other pictures one
   struct Light {
     const Sky* sky;
-    Direction direction, at_eye;  // towards it, in the scene's frame and the eye's
-    double radius;                // [rad]
+    Direction direction, at_eye;          // towards it, in the scene's frame and the eye's
+    double radius;                        // [rad]
+    std::optional<ShadowMap> shadow_map;  // and what the air makes of it
     std::optional<AirShadows> shadows;
     std::optional<LightDisc> disc;
   };
@@ -134,7 +135,7 @@ struct SceneRenderer::Impl {
 
   Light light(const Sky& of, const Direction& direction) const {
     const Sun& source = of.atmosphere().sun;
-    Light result{&of, direction, view.camera.from_scene(direction), source.angular_radius, {}, {}};
+    Light result{&of, direction, view.camera.from_scene(direction), source.angular_radius, {}, {}, {}};
     if (options.air_shadows) {
       ShadowGrid grid = options.shadow_grid;
       grid.east = eye[0];
@@ -144,7 +145,8 @@ struct SceneRenderer::Impl {
       grid.half_angle = seen.half_angle;
       // Several samples mostly share one look at the air, which may then be closer.
       const int steps = options.shadow_steps * (samples > 1 ? 2 : 1);
-      result.shadows = air_shadows(shadow_map(*land, direction, source.angular_radius, grid), view.camera, steps);
+      result.shadow_map = shadow_map(*land, direction, source.angular_radius, grid);
+      result.shadows = air_shadows(*result.shadow_map, view.camera, steps);
     }
     if (options.sun_disc) result.disc = disc(result);
     return result;
@@ -200,7 +202,7 @@ struct SceneRenderer::Impl {
     // Of those on the ground alone.
     std::vector<std::size_t> on_ground;
     std::vector<SunQuestion> questions;
-    std::vector<float> sun_visibility;
+    std::vector<float> answers, sun_visibility;
     std::vector<SurfacePoint> points;
     std::vector<double> albedo, surface, skylight;  // `channels` each
   };
@@ -391,8 +393,6 @@ struct SceneRenderer::Impl {
   void shade(Samples& s) const {
     const std::vector<std::size_t>& which = s.on_ground;
     if (which.empty()) return;
-    s.questions.clear();
-    for (const std::size_t i : which) s.questions.push_back({s.hits[i].position, s.hits[i].normal});
     s.sun_visibility.resize(which.size());
     s.points.resize(which.size());
     for (auto* spectra : {&s.albedo, &s.surface, &s.skylight}) spectra->resize(channels * which.size());
@@ -414,11 +414,31 @@ struct SceneRenderer::Impl {
     }
   }
 
+  // How much of a light's disc the ground sees. Far below the edge of a shadow the map knows; elsewhere rays tell.
+  void see_light(const Light& light, Samples& s, std::span<float> visibility) const {
+    constexpr double margin = 100;  // [m] more than the map's cells cut off a ridge
+    const std::vector<std::size_t>& which = s.on_ground;
+    in_parallel(which.size(), [&](std::size_t j) {
+      const TerrainHit& hit = s.hits[which[j]];
+      visibility[j] =
+          light.shadow_map && light.shadow_map->surely_dark(hit.position, hit.ground.altitude, margin) ? 0.0f : 1.0f;
+    });
+    s.questions.clear();
+    for (std::size_t j = 0; j < which.size(); ++j) {
+      const TerrainHit& hit = s.hits[which[j]];
+      if (visibility[j] > 0) s.questions.push_back({hit.position, hit.normal});
+    }
+    s.answers.resize(s.questions.size());
+    terrain.sun_visibility(s.questions, light.direction, options.soft_shadows ? light.radius : 0.0, s.answers);
+    for (std::size_t j = 0, n = 0; j < which.size(); ++j)
+      if (visibility[j] > 0) visibility[j] = s.answers[n++];
+  }
+
   // What of one light the ground sends on.
   void light_up(const Light& light, Samples& s, std::span<float> visibility, std::span<double> surface,
                 std::span<double> skylight) const {
     const std::vector<std::size_t>& which = s.on_ground;
-    terrain.sun_visibility(s.questions, light.direction, options.soft_shadows ? light.radius : 0.0, visibility);
+    see_light(light, s, visibility);
     in_parallel(which.size(), [&](std::size_t j) {
       const TerrainHit& hit = s.hits[which[j]];
       const Direction up = land->frame().up(hit.position), normal = wide(hit.shading_normal);

@@ -282,7 +282,7 @@ double RasterPyramid::inside(double column, double row) const {
   const Impl& m = *impl_;
   const double width = m.file->width(), height = m.file->height();
   const double dx = std::min(column, width - column), dy = std::min(row, height - row);
-  const double border = dx < 0 && dy < 0 ? -std::hypot(dx, dy) : std::min(dx, dy);
+  const double border = dx < 0 && dy < 0 ? -std::sqrt(dx * dx + dy * dy) : std::min(dx, dy);
   if (m.outline.empty()) return border;
   const auto& held = m.levels[std::size_t(m.held)];
   const double scale = 1.0 / (1 << m.held);

@@ -155,4 +155,11 @@ double ShadowMap::visibility(const Position& p, double altitude) const {
   return disc_fraction(1 - 2 * (altitude - low) / (high - low));
 }
 
+bool ShadowMap::surely_dark(const Position& p, double altitude, double margin) const {
+  const auto t = texel(p);
+  if (!(t[0] >= 0 && t[0] < cells - 1 && t[1] >= 0 && t[1] < cells - 1)) return false;
+  const float* d = &dark[std::size_t(t[1]) * std::size_t(cells) + std::size_t(t[0])];
+  return altitude + margin < double(std::min(std::min(d[0], d[1]), std::min(d[cells], d[cells + 1])));
+}
+
 }  // namespace airlight

@@ -38,6 +38,8 @@ struct ShadowMap {
   /// Fraction of the sun's disc seen from a point of the scene at an altitude [m]: bilinear; held constant beyond the
   /// edge.
   double visibility(const Position& p, double altitude) const;
+  /// Whether a point lies below the shadow of all four cells around it, by some metres: no need to ask closer. False outside.
+  bool surely_dark(const Position& p, double altitude, double margin) const;
 };
 
 /// The map for a sun, occluders between the map and the sun included as far as the land has relief, and the planet's

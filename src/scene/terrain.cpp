@@ -355,7 +355,10 @@ std::vector<float> stretches(const Terrain& terrain, const TileTree& tree, const
     for (std::int32_t j = -reach; j <= reach; ++j) {
       for (std::int32_t i = -reach; i <= reach; ++i) {
         const int beside = draft.part_at(x + i * width, y + j * width);
-        if (beside >= 0 && draft.stretch[std::size_t(beside)] == 0) draft.stretch[std::size_t(beside)] = most;
+        if (beside < 0) continue;
+        float& stretch = draft.stretch[std::size_t(beside)];
+        const float hardly = float(std::max({std::abs(i), std::abs(j), 1})) * most;
+        stretch = stretch > 0 ? std::min(stretch, hardly) : hardly;
       }
     }
   }

@@ -19,8 +19,10 @@ class Wanted {
     const double reach = std::sqrt(2.0) * half_width;
     const double far = std::sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
     const double near = std::max(far - reach, 0.5);
-    const double pixel = near * detail_.pixel_angle *
-                         (stretch > 0 && seen(d, far, 1.2 * reach) ? pixels * stretch : pixels + detail_.unseen_pixels);
+    // What only throws shadows is as fine as its middle asks for: its nearest corner would make a large square many small ones.
+    const double pixel = detail_.pixel_angle * (stretch > 0 && seen(d, far, 1.2 * reach)
+                                                    ? near * pixels * stretch
+                                                    : std::max(near, 0.7 * far) * (pixels + detail_.unseen_pixels));
     const double finest = land_.finest_cell(east, north, half_width);
     if (std::isfinite(finest)) {
       // The curve between a file's values is drawn too where it would show as facets, down to an eighth of its cells.

@@ -89,6 +89,7 @@ TEST(ShadowMap, agrees_with_rays_among_mountains) {
   detail.eye = middle;
   detail.pixel_angle = 0.006;
   const Terrain terrain(land, detail);
+  int dark = 0;
   for (const double elevation : {2 * degree, 8 * degree, 30 * degree}) {
     const Direction sun = towards(2.1, elevation);
     const ShadowMap map = shadow_map(*land, sun, radius, {0, 0, 15'000, 600});
@@ -108,6 +109,11 @@ TEST(ShadowMap, agrees_with_rays_among_mountains) {
     terrain.sun_visibility(points, sun, radius, rays);
     double error = 0, lit = 0;
     for (std::size_t i = 0; i < points.size(); ++i) {
+      // A hundred metres below the edge no ray comes through.
+      if (map.surely_dark(points[i].position, altitudes[i], 100)) {
+        ++dark;
+        ASSERT_EQ(rays[i], 0) << elevation / degree << " degrees, point " << i;
+      }
       const double visible = map.visibility(points[i].position, altitudes[i]);
       error += std::abs(visible - double(rays[i]));
       lit += double(rays[i]);
@@ -120,6 +126,7 @@ TEST(ShadowMap, agrees_with_rays_among_mountains) {
     RecordProperty("mean_error_" + std::to_string(int(elevation / degree)), std::to_string(error / count));
     EXPECT_LT(error / count, 0.02) << elevation / degree << " degrees, lit " << lit / count;
   }
+  EXPECT_GT(dark, 500);
 }
 
 TEST(ShadowMap, what_is_not_looked_at_may_be_left_out) {
