@@ -53,12 +53,13 @@ FN Vec3 precomputed_direction(IN(Lattice) lattice, Float index, Float horizon, O
   Float azimuth = (index - ring * lattice.sectors + 0.5) * (3.14159265358979 / lattice.sectors);
   Scalar half_rings = 0.5 * lattice.rings;
   Bool below = ring > half_rings - 0.5;
-  // The midpoint rule after a substitution whose derivative vanishes at both ends: of order 4.
+  // The midpoint rule after a substitution whose derivative vanishes at both ends: of order 4. In twilight most light comes from a strip
+  // along the horizon narrower than a degree: with 3 t^2 - 2 t^3, deep twilight was a fifth too dark.
   Float t = (select(below, ring - half_rings, ring) + 0.5) * (1.0 / half_rings);
-  Float part = t * t * (3.0 - 2.0 * t);
+  Float part = t * t * t * (4.0 - 3.0 * t);
   Float span = select(below, -(1.0 + horizon), 1.0 - horizon);
   Float mu = horizon + part * span;
-  solid_angle = abs(span) * 6.0 * t * (1.0 - t) * (3.14159265358979 / lattice.sectors) * (1.0 / half_rings);
+  solid_angle = abs(span) * 12.0 * t * t * (1.0 - t) * (3.14159265358979 / lattice.sectors) * (1.0 / half_rings);
   Float across = sqrt(max((1.0 - mu) * (1.0 + mu), 0.0));
   return Vec3(across * cos(azimuth), across * sin(azimuth), mu);
 }

@@ -13,7 +13,7 @@ struct Sizes {
 /// `full` is what docs/accuracy.md judges; `draft` answers at once, for tests and for a first look.
 Sizes sizes(const Situation& situation) {
   if (situation.parameters && situation.parameters->word("detail") == "draft") return {20, 10, 8, 4, 8, 5};
-  return {64, 24, 20, 10, 20, 10};
+  return {64, 24, 24, 10, 20, 10};
 }
 
 TablePass sized(std::string_view pass, Shape (*shape)(const Sizes&)) {
