@@ -42,7 +42,7 @@ std::vector<double> short_numbers(std::vector<double> values) {
 Json solve(const reference::MonteCarlo& solver, const Json& line) {
   const Ray ray = validation::read_ray(line);
   // A ray that looks at nothing, or at a last glimmer, ends here with the error that it has.
-  constexpr long most_walks = 4'000'000;
+  constexpr long most_walks = 400'000'000;
   const reference::Budget budget{.walks = most_walks,
                                  .target_error = target_error(90 - line.at("sun_zenith").get<double>())};
   const reference::RandomLight light =
