@@ -61,7 +61,7 @@ class ExrWriter {
   std::size_t row_size_ = 0;        // [bytes]
   int rows_ = 0;
   std::vector<Block> blocks_;
-  std::size_t filled_ = 0;             // blocks that hold rows, the last one perhaps not all of its own
+  std::size_t filled_ = 0;  // blocks that hold rows, the last one perhaps not all of its own
   exr_context_t context_ = nullptr;
   std::string message_;            // what the library said last
   std::exception_ptr disk_error_;  // what writing threw: no exception may cross the library's C code

@@ -24,7 +24,9 @@ struct Densities {
   const Atmosphere& atmosphere;
   double datum;
   double at(const Constituent& c, double h) const { return density(c.profile, h + datum); }
-  double mean(const Constituent& c, double from, double to) const { return mean_density(c.profile, from + datum, to + datum); }
+  double mean(const Constituent& c, double from, double to) const {
+    return mean_density(c.profile, from + datum, to + datum);
+  }
 };
 
 // Error of the kernels' two-point Gauss rule over a zone, as optical depth.
@@ -58,8 +60,8 @@ std::vector<double> zone_edges(const Densities& d, const Quad& wavelengths, doub
   std::ranges::sort(edges);
   edges.erase(std::unique(edges.begin(), edges.end(), [](double a, double b) { return b - a < 1e-3; }), edges.end());
   if (int(edges.size()) - 1 > most_zones) {
-    throw InputError("atmosphere '" + d.atmosphere.name + "' has " + std::to_string(edges.size() - 2) + " sharp edges of layers: expected at most " +
-                     std::to_string(most_zones - 1));
+    throw InputError("atmosphere '" + d.atmosphere.name + "' has " + std::to_string(edges.size() - 2) +
+                     " sharp edges of layers: expected at most " + std::to_string(most_zones - 1));
   }
   const int wanted = std::max(options.zones, int(edges.size()) - 1);
   while (int(edges.size()) - 1 < wanted) {
@@ -80,7 +82,10 @@ std::vector<double> zone_edges(const Densities& d, const Quad& wavelengths, doub
 }
 
 // Smooth enough for a table of directions without its phase function taken out.
-bool smooth(const Phase& phase) { return phase_function(phase, 0) < 2 * phase_function(phase, 1) && phase_function(phase, 2) < 4 * phase_function(phase, 1); }
+bool smooth(const Phase& phase) {
+  return phase_function(phase, 0) < 2 * phase_function(phase, 1) &&
+         phase_function(phase, 2) < 4 * phase_function(phase, 1);
+}
 
 // Constituents that scatter, by phase function: class 0 is a smooth one (or empty), the others may be peaked.
 std::vector<Phase> phase_classes(const Atmosphere& atmosphere, const Quad& wavelengths) {
@@ -90,8 +95,11 @@ std::vector<Phase> phase_classes(const Atmosphere& atmosphere, const Quad& wavel
     double scattering = 0;
     for (double w : wavelengths) scattering += c.scattering.at(w);
     if (scattering == 0) continue;
-    if (smooth(c.phase) && !smooth_found) classes[0] = c.phase, smooth_found = true;
-    else if ((!smooth_found || !(c.phase == classes[0])) && std::find(classes.begin() + 1, classes.end(), c.phase) == classes.end()) classes.push_back(c.phase);
+    if (smooth(c.phase) && !smooth_found)
+      classes[0] = c.phase, smooth_found = true;
+    else if ((!smooth_found || !(c.phase == classes[0])) &&
+             std::find(classes.begin() + 1, classes.end(), c.phase) == classes.end())
+      classes.push_back(c.phase);
   }
   if (classes.size() > 4) {
     throw InputError("atmosphere '" + atmosphere.name + "' has " + std::to_string(classes.size()) +
@@ -110,8 +118,8 @@ BakedAir bake(const Atmosphere& atmosphere, const Quad& wavelengths, double datu
   const auto range = wavelength_range(atmosphere);
   for (double w : wavelengths) {
     if (!(w >= range.first && w <= range.last)) {
-      throw InputError("wavelength " + number_text(w) + " nm: the data of atmosphere '" + atmosphere.name + "' reach from " + number_text(range.first) +
-                       " to " + number_text(range.last) + " nm");
+      throw InputError("wavelength " + number_text(w) + " nm: the data of atmosphere '" + atmosphere.name +
+                       "' reach from " + number_text(range.first) + " to " + number_text(range.last) + " nm");
     }
   }
   const Densities densities{atmosphere, datum};
@@ -149,7 +157,11 @@ BakedAir bake(const Atmosphere& atmosphere, const Quad& wavelengths, double datu
         for (int end = 0; end < 2; ++end) {
           for (int k = 0; k < 4; ++k) {
             const double w = wavelengths[std::size_t(k)];
-            const auto texel = [&](int r) -> double& { return air.profile.rgba[4 * (std::size_t(r) * std::size_t(width) + 2 * std::size_t(z * cells + i) + std::size_t(end)) + std::size_t(k)]; };
+            const auto texel = [&](int r) -> double& {
+              return air.profile
+                  .rgba[4 * (std::size_t(r) * std::size_t(width) + 2 * std::size_t(z * cells + i) + std::size_t(end)) +
+                        std::size_t(k)];
+            };
             texel(0) += ends[end] * (c.scattering.at(w) + c.absorption.at(w));
             if (row > 0) texel(row) += ends[end] * c.scattering.at(w);
           }
@@ -173,7 +185,8 @@ BakedAir bake(const Atmosphere& atmosphere, const Quad& wavelengths, double datu
   for (const double exponent : air.numbers["limb_darkening"]) {
     double mean = 0;
     constexpr int slices = 24;
-    for (int i = 0; i < slices; ++i) mean += std::pow(std::sin((i + 0.5) / slices * std::numbers::pi), exponent + 2) / slices;
+    for (int i = 0; i < slices; ++i)
+      mean += std::pow(std::sin((i + 0.5) / slices * std::numbers::pi), exponent + 2) / slices;
     air.numbers["disc_light"].push_back(mean);
   }
   air.numbers["ground_radius"] = {planet.ground_radius + datum};
@@ -188,11 +201,13 @@ BakedAir bake(const Atmosphere& atmosphere, const Quad& wavelengths, double datu
 
 Quad vertical_optical_depth(const BakedAir& air) {
   Quad depth{};
-  const std::size_t zones = std::size_t(air.zones.shape.width), texels_per_zone = std::size_t(air.profile.shape.width) / zones;
+  const std::size_t zones = std::size_t(air.zones.shape.width),
+                    texels_per_zone = std::size_t(air.profile.shape.width) / zones;
   for (std::size_t i = 0; i < zones * texels_per_zone; ++i) {
     const double* zone = &air.zones.rgba[4 * (i / texels_per_zone)];
     // Two texels a cell: each stands for half of it.
-    for (std::size_t k = 0; k < 4; ++k) depth[k] += air.profile.rgba[4 * i + k] * (zone[1] - zone[0]) / double(texels_per_zone);
+    for (std::size_t k = 0; k < 4; ++k)
+      depth[k] += air.profile.rgba[4 * i + k] * (zone[1] - zone[0]) / double(texels_per_zone);
   }
   return depth;
 }

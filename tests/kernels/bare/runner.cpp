@@ -32,7 +32,8 @@ int main(int argc, char** argv) {
   for (test::VectorHeader h; std::fread(&h, sizeof h, 1, file) == 1; ++functions) {
     const auto take = [&](int numbers) {
       std::vector<double> v(static_cast<std::size_t>(numbers));
-      if (std::fread(v.data(), sizeof(double), v.size(), file) != v.size()) std::fprintf(stderr, "%s: cut short\n", argv[1]), ++wrong;
+      if (std::fread(v.data(), sizeof(double), v.size(), file) != v.size())
+        std::fprintf(stderr, "%s: cut short\n", argv[1]), ++wrong;
       return v;
     };
     const auto uniforms = take(h.uniforms), varying = take(h.varying * h.count), expected = take(h.results * h.count);
@@ -40,7 +41,8 @@ int main(int argc, char** argv) {
     groups[static_cast<std::size_t>(h.group)]->evals[h.slot]({uniforms.data(), varying.data(), h.count, got.data()});
     double error = 0;
     for (std::size_t i = 0; i < got.size(); ++i) {
-      const double e = got[i] == expected[i] ? 0 : std::fabs(got[i] - expected[i]) / std::fmax(std::fabs(expected[i]), h.scale);
+      const double e =
+          got[i] == expected[i] ? 0 : std::fabs(got[i] - expected[i]) / std::fmax(std::fabs(expected[i]), h.scale);
       if (!(e <= error)) error = e;  // a NaN stays
     }
     worst = std::fmax(worst, error / h.bound);
@@ -49,6 +51,7 @@ int main(int argc, char** argv) {
       ++wrong;
     }
   }
-  std::printf("%s, %d lanes: %d sets of arguments, worst error %.2f of its bound\n", argv[2], groups[0]->lanes, functions, worst);
+  std::printf("%s, %d lanes: %d sets of arguments, worst error %.2f of its bound\n", argv[2], groups[0]->lanes,
+              functions, worst);
   return wrong || functions == 0;
 }

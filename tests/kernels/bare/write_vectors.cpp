@@ -13,7 +13,9 @@ int main(int argc, char** argv) {
   const auto engine = make_engine("double");
   test::Random random;
   constexpr int draws = 4, count = 101;
-  const auto put = [&](const std::vector<double>& numbers) { std::fwrite(numbers.data(), sizeof(double), numbers.size(), file); };
+  const auto put = [&](const std::vector<double>& numbers) {
+    std::fwrite(numbers.data(), sizeof(double), numbers.size(), file);
+  };
   for (const FunctionInfo& f : kernel_functions()) {
     if (!f.evaluable) continue;
     for (int draw = 0; draw < draws; ++draw) {
