@@ -190,6 +190,17 @@ TEST_F(Haze, a_scene_lends_its_land_for_shadows_in_the_air) {
   EXPECT_GT(percentile_99(shaded(), lit()), 0.02);
 }
 
+TEST_F(Haze, a_scene_lends_all_its_lights) {
+  write_file(folder() / "two.toml", scene + "[[light]]\nelevation = 25\nazimuth = 250\nratio = 0.5\n");
+  const Outcome rendered = run(folder(), {"render", "two.toml", "-o", "two.exr", "--aov", "surface,depth"});
+  ASSERT_EQ(rendered.code, 0) << rendered.err;
+  const Picture truth = read_picture(folder() / "two.exr");
+  expect_like(truth, run(folder(), {"haze", "--color", "two.exr", "--color-channels", "surface", "-o", "out.exr",
+                                    "--float", "--scene", "two.toml", "--depth-kind", "distance"}));
+  // The second light matters: half a sun.
+  EXPECT_GT(percentile_99(truth, shaded()), 0.2);
+}
+
 TEST_F(Haze, matrices_in_a_scene_stand_for_its_camera_where_the_planet_bends) {
   // 200 km from the origin, where the vertical leans by 1.8 degrees: a camera taken for level would see other haze.
   constexpr double east = 120'000, north = -160'000, radius = 6'371'000;
