@@ -20,6 +20,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     for (const double number : numbers) {
       if (!std::isfinite(number)) std::abort();
     }
+    for (const airlight::SceneLight& light : scene.lights) {
+      const double its[] = {light.place.azimuth, light.place.elevation, light.phase, light.ratio,
+                            light.angular_radius.value_or(1)};
+      for (const double number : its) {
+        if (!std::isfinite(number)) std::abort();
+      }
+    }
     if (camera.width < 1 || camera.height < 1 || scene.picture.samples < 1 || !(camera.field_of_view > 0)) std::abort();
   } catch (const airlight::InputError&) {
   }
