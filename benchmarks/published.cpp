@@ -69,15 +69,18 @@ void jetlag(Report& report, const std::shared_ptr<Engine>& engine, const std::sh
                3e-4);
   if (!report.timing()) return;
   const Limits& limits = machine.at(set_of(*engine));
-  draw(sky, camera(16, 9), moving_sun(0));  // its noise is uploaded once
-  // Of each of 16 steps: an exp, three of transmittance, and one each of four steps towards the Sun.
+  draw(sky, camera(16, 9), moving_sun(0));  // its noise is made and uploaded once
+  // Of each of 16 steps: three exps of transmittance; densities are polynomials.
   int n = 1;
   report.add({"jetlag 960x540, clear, 16 x 4 steps",
-              1e9 * best_time([&] { draw(sky, camera(960, 540), moving_sun(n++)); }) / (960.0 * 540),
+              1e9 * best_time([&] {
+                sky.render(camera(960, 540), moving_sun(n++), {.sun_disc = false, .wavelengths = {}},
+                           [](int, int, std::span<const float>) { return true; });
+              }) / (960.0 * 540),
               "ns/pixel",
               210.0,
               {},
-              limits.pixel(16 * (1 + 3 + 4), 0)});
+              limits.pixel(16 * 3, 0)});
 }
 
 void rama(Report& report, Engine& engine, Engine& yardstick, const MachineLimits& machine) {

@@ -76,10 +76,13 @@ double quantile(std::vector<double> values, double part) {
   return *at;
 }
 
-Result::Error error_of(const Result& result, const Result& yardstick, const std::vector<double>& difference) {
+/// @param counted  the pixels that errors are of
+Result::Error error_of(const Result& result, const Result& yardstick, const std::vector<double>& difference,
+                       const std::vector<char>& counted) {
   std::vector<double> size, colour;
   double sum = 0;
   for (std::size_t i = 0; i < difference.size(); ++i) {
+    if (!counted[i]) continue;
     sum += difference[i];
     size.push_back(std::abs(difference[i]));
     const auto a = pixel(result, i), b = pixel(yardstick, i);
@@ -116,11 +119,16 @@ BytePicture developed(const Result& result, double exposure_ev, ToneCurve curve)
   return picture;
 }
 
-/// White: equal; red: brighter than the yardstick, full at `scale`; blue: darker.
-BytePicture difference_map(const Result& result, const std::vector<double>& difference, double scale) {
+/// White: equal; red: brighter than the yardstick, full at `scale`; blue: darker; grey: not counted.
+BytePicture difference_map(const Result& result, const std::vector<double>& difference,
+                           const std::vector<char>& counted, double scale) {
   BytePicture picture{result.width, result.height, {}};
-  for (const double d : difference) {
-    const double t = std::clamp(d / scale, -1.0, 1.0);
+  for (std::size_t i = 0; i < difference.size(); ++i) {
+    if (!counted[i]) {
+      picture.rgb.insert(picture.rgb.end(), 3, 160);
+      continue;
+    }
+    const double t = std::clamp(difference[i] / scale, -1.0, 1.0);
     const auto fade = std::uint8_t(std::lround(255 * (1 - std::abs(t))));
     const std::uint8_t red = t >= 0 ? 255 : fade, blue = t >= 0 ? fade : 255;
     picture.rgb.insert(picture.rgb.end(), {red, fade, blue});
@@ -230,7 +238,8 @@ double scale_for(const std::vector<Result>& results) {
   return 1;
 }
 
-void write_pictures(const CompareOptions& options, const PictureFormat& format, const std::vector<Result>& results) {
+void write_pictures(const CompareOptions& options, const PictureFormat& format, const std::vector<Result>& results,
+                    const std::vector<char>& counted) {
   const double ev = format.exposure_ev.value_or(automatic_exposure(results.front().rgb));
   const double scale = options.scale.value_or(scale_for(results));
   std::vector<LabelledPicture> sheet;
@@ -251,7 +260,7 @@ void write_pictures(const CompareOptions& options, const PictureFormat& format, 
       sheet.back().lines[0] += " (yardstick)";
       continue;
     }
-    const BytePicture map = difference_map(r, differences(r, results.front()), scale);
+    const BytePicture map = difference_map(r, differences(r, results.front()), counted, scale);
     write_png(path + "_difference.png", map, r.metadata);
     sheet.push_back({map,
                      {fmt::format("{} against {}: median {} %, 95 % within {} %", r.model, results.front().model,
@@ -290,10 +299,13 @@ int run_compare(const CompareOptions& options) {
       }
     }
   }
-  for (Result& r : results) r.error = error_of(r, results.front(), differences(r, results.front()));
+  // What lies below the horizon of a scene without land, each system has its own notion of, or none: errors are of the sky.
+  const bool all = scene.has_land || std::ranges::none_of(sky, [](char s) { return s; });
+  const std::vector<char> counted = all ? std::vector<char>(sky.size(), 1) : sky;
+  for (Result& r : results) r.error = error_of(r, results.front(), differences(r, results.front()), counted);
   std::error_code error;
   fs::create_directories(options.folder, error);  // one that cannot be made, the first file complains of
-  write_pictures(options, format, results);
+  write_pictures(options, format, results, counted);
   write_tables(options.folder, results);
   fmt::print(stderr, "{}: {} models, {} x {}\n", options.folder, results.size(), results.front().width,
              results.front().height);

@@ -15,7 +15,7 @@
 #include "number_option.h"
 #include "parameter_pictures.h"
 #include "picture_outputs.h"
-#include "sky/engine_caller.h"
+#include "sky/binder.h"
 
 namespace airlight::cli {
 namespace {
@@ -67,17 +67,19 @@ Camera camera_of(const TableOptions& options, const ColourPicture& picture) {
 }
 
 /// What the planet's air lets through on the 65 rings around a viewer.
-std::vector<double> rings_of(const Parameters& planet, double altitude) {
+std::vector<double> rings_of(Parameters planet, double altitude) {
   const Model& model = find_model("realworldz");
+  read_pictures("realworldz", planet);
   const Values values = model_parameters(model, planet, "realworldz.");
   Situation situation{};
   situation.parameters = &values;
   const auto engine = make_engine("double");
-  EngineCaller kernels(*engine);
-  std::vector<double> rings;
-  for (int ring = 0; ring <= 64; ++ring)
-    rings.push_back(kernels.call("realworldz.rings", {{"altitude", {altitude}}, {"ring", {double(ring)}}},
-                                 {{"rw", model.fields("rw", situation)}})[0]);
+  Binder passes(*engine, model, situation);
+  passes.set("observer", Fields{{"sun", {0, 0, 1, 0}}, {"altitude", {altitude}}});
+  constexpr Shape shape{65, 1};
+  std::vector<double> rgba(4 * shape.texels()), rings;
+  engine->read(passes.run_once("realworldz.rings", shape)[0], rgba);
+  for (std::size_t i = 0; i < rgba.size(); i += 4) rings.push_back(rgba[i]);
   return rings;
 }
 

@@ -22,8 +22,7 @@ FN Vec3 jetlag_frame(Vec3 v) { return Vec3(v.x, v.z, -v.y); }
 FN_SHARED Vec4 jetlag_sunlight(IN(Jetlag) jetlag, IN(JetlagDrift) drift, Table2 noise, Vec3 p, Vec3 sun) {
   Float gap = jetlag_gap(jetlag, p);
   Float sunward = dot(p, sun) + jetlag.ground_radius * sun.y;
-  Float length = max(jetlag_escape(gap, sunward, Float(jetlag.top * (2.0 * jetlag.ground_radius + jetlag.top))), 0.0);
-  Vec2 depth = jetlag_depth(jetlag, drift, noise, p, sun, gap, sunward, Float(0.0), length, 32, Float(jetlag.jitter.x));
+  Vec2 depth = jetlag_depth(jetlag, drift, noise, p, sun, gap, sunward, Float(0.0), jetlag_to_top(jetlag, gap, sunward), 32, Float(jetlag.jitter.x), 0, Vec2(0.0, 0.0));
   return jetlag_through(jetlag, depth) * jetlag.sun_intensity;
 }
 
@@ -52,8 +51,7 @@ FN_SHARED Vec4 jetlag_ray(IN(Jetlag) jetlag, IN(JetlagDrift) drift, Table2 noise
   Float discriminant = along * along - gap;
   Float to_ground = gap / max(abs(along) + sqrt(max(discriminant, 0.0)), 1.0e-6);
   Bool hits = (along < 0.0) && (discriminant > 0.0) && (to_ground >= 0.0) && (to_ground < jetlag.ground_reach) && (to_ground <= distance);
-  Float to_top = max(jetlag_escape(gap, along, Float(jetlag.top * (2.0 * jetlag.ground_radius + jetlag.top))), 0.0);
-  Float length = select(hits, to_ground, select(distance < 1.0e9, distance, to_top));
+  Float length = select(hits, to_ground, select(distance < 1.0e9, distance, jetlag_to_top(jetlag, gap, along)));
   Vec4 light = jetlag_scatter(jetlag, drift, noise, o, view, length, sun, jitter, transmittance);
   ground = Vec4(0.0);
   if (any(hits)) ground = select(hits, jetlag_ground(jetlag, drift, noise, o + view * length, sun) * transmittance, Vec4(0.0));
@@ -84,15 +82,16 @@ FN Vec4 jetlag_sun_irradiance_pass(IN(Jetlag) jetlag, IN(JetlagDrift) drift, Tab
   Vec4 at = fetch_same(suns, uv);
   Vec3 sun = jetlag_frame(Vec3(at.y, at.z, at.w));
   Vec3 p = Vec3(Float(jetlag.eye.x), fetch_same(eyes, uv).x, Float(jetlag.eye.z));
-  Vec2 depth = jetlag_light(jetlag, drift, noise, p, sun, jetlag_gap(jetlag, p), dot(p, sun) + jetlag.ground_radius * sun.y, 32, Float(jetlag.jitter.x));
+  Vec2 depth = jetlag_light(jetlag, drift, noise, p, sun, jetlag_gap(jetlag, p), dot(p, sun) + jetlag.ground_radius * sun.y, 32, Float(jetlag.jitter.x), 0, Vec2(0.0, 0.0));
   return jetlag_through(jetlag, depth) * jetlag.sun_intensity;
 }
 
 /// Densities of molecules and haze, the clouds' noise, the height [m]: at places of the kernel's frame.
 FN Vec4 jetlag_density_pass(IN(Jetlag) jetlag, IN(JetlagDrift) drift, Table2 noise, Table2 places, Vec2 uv) {
   Vec3 p = xyz(fetch_same(places, uv));
-  Float height = jetlag_height(jetlag, jetlag_gap(jetlag, p));
-  Vec2 density = jetlag_density(jetlag, height);
+  Float gap = jetlag_gap(jetlag, p);
+  Float height = jetlag_height(jetlag, gap);
+  Vec2 density = jetlag_density(jetlag, gap);
   return Vec4(density.x, density.y + jetlag_cloud(jetlag, drift, noise, p, height), jetlag_cloud_noise(drift, noise, p), height);
 }
 
@@ -105,7 +104,7 @@ FN Vec4 jetlag_noise_pass(Table2 noise, Table2 places, Vec2 uv) {
 FN Vec4 jetlag_depth_pass(IN(Jetlag) jetlag, IN(JetlagDrift) drift, Table2 noise, Table2 places, Table2 directions, Vec2 uv) {
   Vec4 place = fetch_same(places, uv);
   Vec3 direction = xyz(fetch_same(directions, uv));
-  Vec2 depth = jetlag_depth(jetlag, drift, noise, xyz(place), direction, jetlag_gap(jetlag, xyz(place)), dot(xyz(place), direction) + jetlag.ground_radius * direction.y, Float(0.0), place.w, int(jetlag.light_steps), Float(jetlag.jitter.x));
+  Vec2 depth = jetlag_depth(jetlag, drift, noise, xyz(place), direction, jetlag_gap(jetlag, xyz(place)), dot(xyz(place), direction) + jetlag.ground_radius * direction.y, Float(0.0), place.w, int(jetlag.light_steps), Float(jetlag.jitter.x), 0, Vec2(0.0, 0.0));
   return Vec4(depth.x, depth.y, Float(0.0), Float(0.0));
 }
 
@@ -118,7 +117,7 @@ FN_SHARED Vec4 jetlag_slice(IN(Jetlag) jetlag, IN(JetlagDrift) drift, IN(JetlagF
   if (frame.show < 2.5) {
     shown = Vec4(jetlag_cloud(jetlag, drift, noise, p, Float(frame.slice)) * (1.0 / 250.0));
   } else {
-    Vec2 depth = jetlag_light(jetlag, drift, noise, p, sun, shell, dot(p, sun) + jetlag.ground_radius * sun.y, int(jetlag.light_steps), Float(jitter));
+    Vec2 depth = jetlag_light(jetlag, drift, noise, p, sun, shell, dot(p, sun) + jetlag.ground_radius * sun.y, int(jetlag.light_steps), Float(jitter), 0, Vec2(0.0, 0.0));
     shown = Vec4(jetlag.rayleigh) * depth.x + Vec4(jetlag.mie_extinction * depth.y);
   }
   return select(to >= 0.0, shown, Vec4(0.0));

@@ -49,7 +49,8 @@ FN Vec4 rama_between_pass(IN(Rama) rama, Table2 lights, Table3 source, Table2 pl
 /// @param p [km] in -8..8
 FN Vec4 rama_albedo(IN(Rama) rama, Vec3 p) {
   Bool sea = (abs(p.x) < 5.0) && (rama_square(p) > 57.0);
-  Bool cap = (p.x > 16.0) || (p.x < -16.5);
+  // The cliff's face lies in the plane where sea and land meet: rounding would mix both.
+  Bool bare = (p.x > 16.0) || (p.x < -16.5) || ((abs(p.x + 5.0) < 0.002) && (rama_square(p) < 63.9));
   // Fields and woods: a pattern to see distances by, its mean 1.
   Float angle = arc_tangent2(p.z, p.y);
   Float large = sin(5.3 * p.x + 3.0 * sin(4.0 * angle)) * sin(31.0 * angle + 2.0 * sin(1.7 * p.x));
@@ -58,12 +59,14 @@ FN Vec4 rama_albedo(IN(Rama) rama, Vec3 p) {
   Vec4 land = Vec4(shade * (0.9 + 0.2 * large), shade * 1.1, shade * (0.7 - 0.1 * large), Float(0.0));
   Vec4 rock = Vec4(rama.albedo.x * 1.1, rama.albedo.x * 1.05, Float(rama.albedo.x), Float(0.0));
   Vec4 water = Vec4(rama.albedo.x * 0.15, rama.albedo.x * 0.3, rama.albedo.x * 0.5, Float(0.0));
-  return clamp(select(sea, water, select(cap, rock, land)), 0.0, 1.0);
+  return clamp(select(bare, rock, select(sea, water, land)), 0.0, 1.0);
 }
 
 /// Light that leaves the hull at a place [W m^-2 sr^-1].
 FN_SHARED Vec4 rama_surface(IN(Rama) rama, Table2 lights, Vec3 p, Vec3 normal) {
-  Vec4 light = rama_irradiance(rama, lights, p, normal) * rama_albedo(rama, p) * 0.318309886183791;
+  // The cliff's face lies in the plane that its shadows begin at: from a metre before it, all of it sees north.
+  Vec3 before = Vec3(p.x + 0.001 * normal.x, p.y, p.z);
+  Vec4 light = rama_irradiance(rama, lights, before, normal) * rama_albedo(rama, p) * 0.318309886183791;
   int count = int(width_of(lights));
   for (int l = 0; l < count; ++l) {
     Scalar4 place = fetch_scalar(lights, l, 0);

@@ -28,8 +28,8 @@ FN Vec3 realworldz_turned(IN(RealworldzView) view, Vec3 d) {
 }
 
 /// Transmittance of the sky's air on the 65 rings around the viewer.
-FN Vec4 realworldz_rings_pass(IN(Realworldz) rw, IN(Observer) observer, Vec2 uv) {
-  return Vec4(realworldz_rings(rw, Float(observer.altitude), floor(uv.x * 65.0)));
+FN Vec4 realworldz_rings_pass(IN(Realworldz) rw, IN(Observer) observer, Table2 densities, Vec2 uv) {
+  return Vec4(realworldz_rings(rw, densities, Float(observer.altitude), floor(uv.x * 65.0)));
 }
 
 /// Stars in a direction [1]; w: how dark it is there, 0 for bright stars.
@@ -107,7 +107,7 @@ FN Vec4 realworldz_picture_pass(IN(Camera) camera, IN(Observer) observer, IN(Dis
 }
 
 /// The sky's light along rays; what fog leaves at their ends; no ground: relative linear RGB. A finite distance gives fog alone.
-FN Vec4 realworldz_rays_pass(IN(Realworldz) rw, IN(RealworldzView) view, Table2 sky_colours, Table2 stars, Table2 eyes, Table2 suns, Vec2 uv, OUT(Vec4) transmittance, OUT(Vec4) ground) {
+FN Vec4 realworldz_rays_pass(IN(Realworldz) rw, IN(RealworldzView) view, Table2 densities, Table2 sky_colours, Table2 stars, Table2 eyes, Table2 suns, Vec2 uv, OUT(Vec4) transmittance, OUT(Vec4) ground) {
   Vec4 eye = fetch_same(eyes, uv);
   Vec4 at = fetch_same(suns, uv);
   Vec3 d = Vec3(eye.y, eye.z, eye.w);
@@ -116,7 +116,7 @@ FN Vec4 realworldz_rays_pass(IN(Realworldz) rw, IN(RealworldzView) view, Table2 
   Vec3 fog = realworldz_fog_anywhere(rw, x, viewer);
   transmittance = realworldz_extinction(rw, fog.z);
   ground = Vec4(0.0);
-  Vec4 colour = lookup(sky_colours, Vec2(realworldz_sky_u(one_minus_cos(d, Vec3(at.y, at.z, at.w))), exp(-realworldz_sky_depth(rw, eye.x, d.z))));
+  Vec4 colour = lookup(sky_colours, Vec2(realworldz_sky_u(one_minus_cos(d, Vec3(at.y, at.z, at.w))), exp(-realworldz_sky_depth(rw, densities, eye.x, d.z))));
   colour = realworldz_fragment(colour, realworldz_stars(stars, view.star_gain, realworldz_turned(view, d)), transmittance, Vec4(0.0));
   return select(at.x < 1.0e12, Vec4(0.0), colour) + Vec4(rw.far_light) * fog.z;
 }

@@ -17,7 +17,7 @@ struct Realworldz {
   Scalar density;             // [1/m] in 1e-5..1e-3 log  the sky's optical depth per length at the ground
   Scalar scale_height;        // [m] in 500..5000
   Scalar relief;              // [m] in 0..3e3  height of the highest terrain
-  Scalar pad;                 // [1] in 0..1
+  Scalar painted;             // [1] in 0..1  1: the sky's air is as dense as the table `densities` says; 0: exponential
 };
 
 /// Squared length [m^2].

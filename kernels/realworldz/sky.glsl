@@ -1,31 +1,33 @@
 #pragma once
 #include "core/phase.glsl"
+#include "core/tables.glsl"
 #include "realworldz/shell.glsl"
 // RealWorldz' sky: colours from a painted table over the angle from the Sun and the air's optical depth, over stars.
 
 /// Optical depth of one leg of a ray, from its lowest point outwards [1]: dense there, three-point Gauss in 24 parts.
-/// @param gap [m^2] in 0..1e9  squared radius of that point less the ground's
-/// @param slope [m] in 0..6e4  its radius times the cosine of the angle to the vertical there
-/// @param length [m] in 0..6e4
-/// @bound 2e-5 scale 1
-FN_SHARED Float realworldz_leg(IN(Realworldz) rw, Float gap, Float slope, Float length) {
+/// `gap` is the squared radius of that point less the ground's, `slope` its radius times the cosine of the angle to the vertical there.
+/// `densities`: one row, from the ground to the top, relative to `density`; read where the air is painted.
+FN_SHARED Float realworldz_leg(IN(Realworldz) rw, Table2 densities, Float gap, Float slope, Float length) {
   Float sum = Float(0.0);
   for (int i = 0; i < 72; ++i) {
     Vec2 point = gauss_three(i);
     Float u = (Float(i / 3) + point.x) * (1.0 / 24.0);
     Float s = length * u * u;
     Float k = gap + s * (2.0 * slope + s);
-    Float height = k / (sqrt(max(rw.ground_radius * rw.ground_radius + k, 0.0)) + rw.ground_radius);
-    sum = sum + point.y * u * exp(-max(height, 0.0) * (1.0 / rw.scale_height));
+    Float height = max(k / (sqrt(max(rw.ground_radius * rw.ground_radius + k, 0.0)) + rw.ground_radius), 0.0);
+    Float dense = Float(0.0);
+    if (rw.painted > 0.5) {
+      dense = lookup_row(densities, height * (1.0 / max(rw.top_radius - rw.ground_radius, 1.0)), 0).x;
+    } else {
+      dense = exp(-height * (1.0 / rw.scale_height));
+    }
+    sum = sum + point.y * u * dense;
   }
   return sum * length * (rw.density * (2.0 / 24.0));
 }
 
-/// Optical depth of the sky's air in a direction, up to its top or the ground [1].
-/// @param altitude [m] in 0..3e4
-/// @param mu [1] in -1..1  cosine of the angle to the vertical
-/// @bound 1e-3 scale 100   near the horizon 1e-3 of the depth, and whether the ground is met is a decision
-FN Float realworldz_sky_depth(IN(Realworldz) rw, Float altitude, Float mu) {
+/// Optical depth of the sky's air in a direction, up to its top or the ground [1]; `mu` is the cosine of the angle to the vertical.
+FN Float realworldz_sky_depth(IN(Realworldz) rw, Table2 densities, Float altitude, Float mu) {
   Float above = max(altitude, 0.0);
   Float gap = above * (2.0 * rw.ground_radius + above);
   Float along = -mu * (rw.ground_radius + above);  // to the lowest point
@@ -39,10 +41,10 @@ FN Float realworldz_sky_depth(IN(Realworldz) rw, Float altitude, Float mu) {
   Float to_ground = sqrt(max(-low, 0.0));
   Float back = min(along, half_chord);
   Float before = select(hits, back - to_ground, select(down, back, 0.0));
-  Float first = realworldz_leg(rw, select(hits, Float(0.0), max(low, 0.0)), select(hits, to_ground, 0.0), max(before, 0.0));
+  Float first = realworldz_leg(rw, densities, select(hits, Float(0.0), max(low, 0.0)), select(hits, to_ground, 0.0), max(before, 0.0));
   // The leg after it.
   Float after = select(hits, Float(0.0), half_chord + min(along, 0.0));
-  Float second = realworldz_leg(rw, select(down, max(low, 0.0), gap), select(down, 0.0, -along), max(after, 0.0));
+  Float second = realworldz_leg(rw, densities, select(down, max(low, 0.0), gap), select(down, 0.0, -along), max(after, 0.0));
   return select(misses, Float(0.0), first + second);
 }
 
@@ -79,9 +81,12 @@ FN Vec2 realworldz_ring(Float latitude) {
 }
 
 /// Transmittance of the sky's air on the rings around a viewer [1].
-/// @param altitude [m] in 0..3e4
-/// @param ring [1] in 0..64
-/// @bound 1e-2 scale 1   as realworldz_sky_depth
-FN Float realworldz_rings(IN(Realworldz) rw, Float altitude, Float ring) {
-  return exp(-realworldz_sky_depth(rw, altitude, sin(realworldz_latitude(ring) * 1.57079632679490)));
+FN Float realworldz_rings(IN(Realworldz) rw, Table2 densities, Float altitude, Float ring) {
+  return exp(-realworldz_sky_depth(rw, densities, altitude, sin(realworldz_latitude(ring) * 1.57079632679490)));
+}
+
+/// Optical depth of the sky's air for eyes (x: altitude [m]) in directions (w: cosine of the angle to the vertical) [1].
+FN Vec4 realworldz_depth_pass(IN(Realworldz) rw, Table2 densities, Table2 eyes, Vec2 uv) {
+  Vec4 eye = fetch_same(eyes, uv);
+  return Vec4(realworldz_sky_depth(rw, densities, eye.x, eye.w));
 }

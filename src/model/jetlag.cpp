@@ -32,7 +32,7 @@ Fields jetlag_fields(const JetlagSettings& s) {
           {"mie_scattering", {2e-5}},
           {"mie_extinction", {2.2e-5}},
           {"haze", {s.clouds ? 8.0 : 1.0}},
-          {"per_height", {1 / 24000.0}},
+          {"per_height", {1 / 96000.0}},
           {"ground_radius", {jetlag_ground_radius}},
           {"top", {jetlag_top}},
           {"sun_intensity", {s.sun_intensity}},

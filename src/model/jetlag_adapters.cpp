@@ -96,16 +96,15 @@ std::vector<Adapter> jetlag_adapters() {
   clear.clouds = false;
   const Fields clear_air = jetlag_fields(clear);
   std::vector<Adapter> list;
-  list.push_back({.name = "jetlag.density_clear",
-                  .text = "Densities of molecules and haze without clouds, relative to sea level",
-                  .inputs = {place_key("p_m")},
-                  .outputs = "molecules, haze",
-                  .unit = "1",
-                  .call = [clear_air](KernelCaller& kernels, const Values& in) {
-                    const auto height =
-                        kernels.call("jetlag.height", {{"gap", {gap_of(in.numbers("p_m"))}}}, {{"jetlag", clear_air}});
-                    return kernels.call("jetlag.density", {{"height", height}}, {{"jetlag", clear_air}});
-                  }});
+  list.push_back(
+      {.name = "jetlag.density_clear",
+       .text = "Densities of molecules and haze without clouds, relative to sea level",
+       .inputs = {place_key("p_m")},
+       .outputs = "molecules, haze",
+       .unit = "1",
+       .call = [clear_air](KernelCaller& kernels, const Values& in) {
+         return kernels.call("jetlag.density", {{"gap", {gap_of(in.numbers("p_m"))}}}, {{"jetlag", clear_air}});
+       }});
   list.push_back({.name = "jetlag.escape",
                   .text = "Distance to a sphere about the Earth's centre: where a ray enters it, else where it leaves; "
                           "-1 if it misses",

@@ -78,7 +78,8 @@ struct Model {
   std::string_view surface = "core.surface";     ///< light that surfaces reflect; empty: the system does not say
   /// Set and true: the air before land is wanted at the corners of its triangles, and interpolated between them.
   std::function<bool(const Values& parameters)> haze_at_corners = {};
-  std::function<HostTable(std::string_view argument, const Situation&)> data = {};  ///< tables that no pass makes
+  std::function<HostTable(std::string_view argument, const Situation&)> data =
+      {};                     ///< tables that no pass makes, of the parameters alone
   bool under_the_sun = true;  ///< false: another world's inside, not to be compared with skies
   bool segments = true;       ///< answers for rays that end in the air
   std::function<Gathering(const Values&)> gathering = {};  ///< empty: a picture is one frame

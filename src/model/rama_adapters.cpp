@@ -1,6 +1,7 @@
 // The functions that Rama's specification names.
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "model/adapter.h"
 #include "model/rama.h"
@@ -20,8 +21,11 @@ ParameterInfo place_key(std::string_view name) {
           .low = -50,
           .high = 50};
 }
-ParameterInfo number_key(std::string_view name, std::string_view unit, double low, double high) {
-  return {.name = name, .unit = unit, .low = low, .high = high};
+ParameterInfo number_key(std::string_view name, std::string_view unit, double low, double high,
+                         std::optional<double> otherwise = {}) {
+  ParameterInfo key{.name = name, .unit = unit, .low = low, .high = high};
+  if (otherwise) key.otherwise = Numbers{*otherwise};
+  return key;
 }
 ParameterInfo texel_key(std::string_view name, double last) {
   return {.name = name, .kind = Kind::whole, .low = 0, .high = last};
@@ -133,24 +137,25 @@ std::vector<Adapter> rama_adapters() {
   list.push_back(
       transmittance("rama.transmittance_fast", "rama.transmittance_fast",
                     "Transmittance between two places, the density being a straight line in the squared radius"));
-  list.push_back(
-      {.name = "rama.solid_angle_line",
-       .text = "Solid angle of a strip of light as a line, nothing before it",
-       .inputs = {number_key("light_radius_km", "km", 0.1, 50), number_key("light_angle_deg", "degrees", -360, 360),
-                  number_key("x1_km", "km", -50, 50), number_key("x2_km", "km", -50, 50),
-                  number_key("width_km", "km", 0, 10), place_key("q_km")},
-       .outputs = "solid angle",
-       .unit = "sr",
-       .call = [](KernelCaller& kernels, const Values& in) {
-         const double angle = in.number("light_angle_deg") * pi / 180;
-         return kernels.call("rama.solid_angle", {{"q", in.numbers("q_km")},
-                                                  {"radius", in.numbers("light_radius_km")},
-                                                  {"c", {std::cos(angle)}},
-                                                  {"s", {std::sin(angle)}},
-                                                  {"x1", in.numbers("x1_km")},
-                                                  {"x2", in.numbers("x2_km")},
-                                                  {"width", in.numbers("width_km")}});
-       }});
+  list.push_back({.name = "rama.solid_angle_line",
+                  .text = "Solid angle of a strip of light as a line, nothing before it",
+                  // Unless others are named, that of the northern strip at 0 degrees.
+                  .inputs = {number_key("light_radius_km", "km", 0.1, 50, 8),
+                             number_key("light_angle_deg", "degrees", -360, 360, 0),
+                             number_key("x1_km", "km", -50, 50, 5.1), number_key("x2_km", "km", -50, 50, 15.9),
+                             number_key("width_km", "km", 0, 10, 0.1), place_key("q_km")},
+                  .outputs = "solid angle",
+                  .unit = "sr",
+                  .call = [](KernelCaller& kernels, const Values& in) {
+                    const double angle = in.number("light_angle_deg") * pi / 180;
+                    return kernels.call("rama.solid_angle", {{"q", in.numbers("q_km")},
+                                                             {"radius", in.numbers("light_radius_km")},
+                                                             {"c", {std::cos(angle)}},
+                                                             {"s", {std::sin(angle)}},
+                                                             {"x1", in.numbers("x1_km")},
+                                                             {"x2", in.numbers("x2_km")},
+                                                             {"width", in.numbers("width_km")}});
+                  }});
   list.push_back({.name = "rama.visibility",
                   .text = "1 where nothing stands between a place on a strip and another, 0 where the cliff does",
                   .inputs = {place_key("s_km"), place_key("q_km")},

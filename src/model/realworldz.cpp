@@ -33,7 +33,8 @@ Fields realworldz_fields(const RealworldzSettings& s) {
           {"top_radius", {s.top_radius}},
           {"density", {s.density}},
           {"scale_height", {s.scale_height}},
-          {"relief", {s.bounding_radius - s.ground_radius}}};
+          {"relief", {s.bounding_radius - s.ground_radius}},
+          {"painted", {s.painted_density ? 1.0 : 0.0}}};
 }
 
 // ---- the model ----
@@ -78,6 +79,18 @@ const std::vector<ParameterInfo>& parameters() {
       number("k", "1/m", 0, 1, known.density, "optical depth of the sky's air per length at the ground"),
       number("H", "m", 1, 1e6, known.scale_height, "its scale height"),
       number("Rtop", "m", 1e3, 1e8, known.top_radius, "radius of its top"),
+      {.name = "profile",
+       .kind = Kind::picture,
+       .text =
+           "painted density of the sky's air, relative to k, from Rg at its left edge to Rtop at its right: mean over "
+           "the rows of red in linear light; without it, exp(-height / H)",
+       .optional = true},
+      {.name = "fog",
+       .kind = Kind::word,
+       .text = "before land computed at its triangles' corners and interpolated, or at each pixel; the system's own "
+               "mountains have no corners",
+       .words = {"vertex", "pixel"},
+       .otherwise = "vertex"},
       {.name = "table",
        .kind = Kind::picture,
        .text = "painted table of the sky's colours: angle from the Sun to the right, up to 180 degrees; exp(-optical "
@@ -147,6 +160,7 @@ RealworldzSettings settings_of(const Values& v) {
   s.density = v.number("k");
   s.scale_height = v.number("H");
   s.top_radius = v.number("Rtop");
+  s.painted_density = v.has("profile");
   const auto at_least = [](const char* name, double value, const char* other, double bound) {
     if (!(value >= bound))
       throw InputError("realworldz." + std::string(name) + " = " + number_text(value) + ": expected at least " + other +
@@ -187,6 +201,17 @@ HostTable sky_colours(const Values& v) {
   return {{table.width, table.height}, std::move(table.rgba)};
 }
 
+/// One row; two texels that nobody reads where air is exponential.
+HostTable densities(const Values& v) {
+  if (!v.has("profile")) return {{2, 1}, Numbers(8)};
+  const ParameterPicture& painted = v.picture("profile");
+  const std::size_t width = std::size_t(painted.width);
+  Numbers rgba(4 * width);
+  for (std::size_t i = 0; i < painted.rgba.size(); i += 4)
+    rgba[i % (4 * width)] += double(painted.rgba[i]) / painted.height;
+  return {{painted.width, 1}, std::move(rgba)};
+}
+
 }  // namespace
 
 Model realworldz_model() {
@@ -206,8 +231,10 @@ Model realworldz_model() {
           },
           .sun = "",
           .surface = "realworldz.surface",
+          .haze_at_corners = [](const Values& v) { return v.word("fog") == "vertex"; },
           .data = [](std::string_view argument, const Situation& s) -> HostTable {
             if (argument == "sky_colours") return sky_colours(*s.parameters);
+            if (argument == "densities") return densities(*s.parameters);
             if (argument != "stars") return {};
             StarMap map = star_map(int(s.parameters->number("star_size")));
             return {map.shape, std::move(map.rgba)};

@@ -14,6 +14,7 @@ struct RealworldzSettings {
   std::array<double, 3> far_transmittance{0.35, 0.45, 0.60}, far_light{0.35, 0.48, 0.70};
   std::array<double, 3> sun_light{1, 1, 1};
   double density = 2e-4, scale_height = 1500, top_radius = 75e3;  ///< [1/m], [m], [m]: of the sky's air
+  bool painted_density = false;  ///< of the sky's air: in a table beside; otherwise exponential
 };
 
 /// The kernels' struct Realworldz.

@@ -152,10 +152,11 @@ std::vector<Adapter> realworldz_adapters() {
        .outputs = "depth, exp(-depth)",
        .unit = "1",
        .call = [](KernelCaller& kernels, const Values& in) {
-         const double depth = kernels.call(
-             "realworldz.sky_depth",
-             {{"altitude", in.numbers("viewer_height_m")}, {"mu", {std::sin(in.number("elevation_deg") * pi / 180)}}},
-             planet(in))[0];
+         const Numbers eye{in.number("viewer_height_m"), 0, 0, std::sin(in.number("elevation_deg") * pi / 180)};
+         const auto answers = kernels.run(
+             "realworldz.depth", planet(in),
+             {{"densities", kernels.upload({2, 1}, Numbers(8))}, {"eyes", kernels.upload({1, 1}, eye)}}, {1, 1});
+         const double depth = kernels.read(answers[0])[0];
          return Numbers{depth, std::exp(-depth)};
        }});
   list.push_back(

@@ -54,9 +54,16 @@ Table Binder::table(std::string_view argument, const PassInfo& reader) const {
     if (output == pass.outputs.end()) continue;
     return run(made.pass, made.shape_for(situation_))[std::size_t(output - pass.outputs.begin())];
   }
+  if (host_tables_) {
+    if (const auto kept = host_tables_->find(argument); kept != host_tables_->end()) return kept->second;
+  }
   if (model_.data) {
     const HostTable made = model_.data(argument, situation_);
-    if (!made.rgba.empty()) return engine_.upload(made.shape, made.rgba);
+    if (!made.rgba.empty()) {
+      const Table uploaded = engine_.upload(made.shape, made.rgba);
+      if (host_tables_) host_tables_->emplace(argument, uploaded);
+      return uploaded;
+    }
   }
   unbound(model_, "pass " + std::string(reader.name) + ": no pass of model " + std::string(model_.name) +
                       " makes table " + std::string(argument));

@@ -18,6 +18,11 @@ class Binder {
   Binder(Engine& engine, const Model& model, const Situation& situation)
       : engine_(engine), model_(model), situation_(situation) {}
 
+  /// Tables that the model made on the host, by argument.
+  using HostTables = std::map<std::string, Table, std::less<>>;
+  /// Where those are kept, for binders of the same parameters.
+  void keep_host_tables(HostTables& kept) { host_tables_ = &kept; }
+
   /// For one of the frames that a picture gathers.
   void set_earlier(int frames) { situation_.earlier = frames; }
 
@@ -48,6 +53,7 @@ class Binder {
   Situation situation_;
   std::map<std::string, Fields, std::less<>> structs_;
   std::map<std::string, Table, std::less<>> tables_;
+  HostTables* host_tables_ = nullptr;
 };
 
 }  // namespace airlight

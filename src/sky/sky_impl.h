@@ -35,6 +35,8 @@ struct Sky::Impl {
   const Model* model;
   std::shared_ptr<Engine> engine;
   Values parameters;  // the model's own
+  // Of these parameters. Noise or stars take longer to make, and to compare with what the engine keeps, than a small picture.
+  Binder::HostTables host_tables;
 
   struct Air {
     Fields fields;
@@ -73,6 +75,7 @@ struct Sky::Impl {
   Binder binder(const Model& m, const Quad& quad, double altitude) {
     const double datum = datum_for(altitude);
     Binder b(*engine, m, situation(altitude, datum));
+    if (&m == model) b.keep_host_tables(host_tables);
     if (m.colours) return b;  // its air is in its parameters
     const Air& a = air(m, quad, datum);
     b.set("air", a.fields);

@@ -97,6 +97,30 @@ TEST(Compare, scales_relative_colours_once) {
   }
 }
 
+// Where there is no land, errors are of what lies above the horizon: half of this picture.
+TEST(Compare, counts_the_sky_alone_where_a_scene_has_no_land) {
+  const Folder folder;
+  write_file(folder / "bare.toml",
+             "place = \"46.6, 7.9\"\n[sun]\nelevation = 5\nazimuth = 250\n"
+             "[camera]\nwidth = 32\nheight = 18\nfield_of_view = 90\nazimuth = 235\n[picture]\nair_shadows = false\n");
+  const Outcome outcome =
+      run(folder, {"compare", "bare.toml", "--models", "codeflow", "-o", "out", "--float", "--no-sun"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const Picture single = read_picture(folder / "out/single.exr"), codeflow = read_picture(folder / "out/codeflow.exr");
+  double worst = 0, below = 0;
+  for (int y = 0; y < 18; ++y) {
+    for (int x = 0; x < 32; ++x) {
+      const double b = double(single.luminance(x, y)), error = std::abs(double(codeflow.luminance(x, y)) / b - 1);
+      if (y < 9) worst = std::max(worst, error);
+      if (y >= 9) below = std::max(below, error);
+    }
+  }
+  EXPECT_NEAR(row_of(read_file(folder / "out/compare.csv"), "codeflow").at(2), 100 * worst, 0.02);
+  EXPECT_GT(below, 2 * worst) << "codeflow's ground is no ground";
+  const Picture map = read_picture(folder / "out/codeflow_difference.png");
+  EXPECT_EQ(map.rgb[3 * (17 * 32)], map.rgb[3 * (17 * 32) + 1]);
+}
+
 TEST(Compare, bad_words_are_named_and_nothing_is_written) {
   const Folder folder;
   write_file(folder / "scene.toml", scene_text);

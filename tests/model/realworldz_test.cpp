@@ -156,36 +156,53 @@ INSTANTIATE_TEST_SUITE_P(planets, RealworldzFog, testing::Values(Planet{"default
 
 // ---- the sky ----
 
+/// Optical depth of the sky's air in a direction, on the double engine.
+/// @param densities  painted, from the ground up; empty: exponential
+double sky_depth(double altitude, double mu, const Numbers& densities = {}) {
+  EngineCaller kernels(*engine_or_none("double"));
+  RealworldzSettings settings;
+  settings.painted_density = !densities.empty();
+  Numbers rgba(densities.empty() ? 8 : 4 * densities.size());
+  for (std::size_t i = 0; i < densities.size(); ++i) rgba[4 * i] = densities[i];
+  return kernels.read(kernels.run("realworldz.depth", {{"rw", realworldz_fields(settings)}},
+                                  {{"densities", kernels.upload({int(rgba.size() / 4), 1}, rgba)},
+                                   {"eyes", kernels.upload({1, 1}, Numbers{altitude, 0, 0, mu})}},
+                                  {1, 1})[0])[0];
+}
+
 // Straight up, exp(-h/H) has an integral in closed form.
 TEST(RealworldzRings, agree_with_the_column_in_closed_form_from_any_height) {
-  EngineCaller kernels(*engine_or_none("double"));
   for (double height : {0.0, 1e3, 1e4, 2e4}) {
     const double top = 15e3, expected = 2e-4 * 1500 * (std::exp(-std::min(height, top) / 1500) - std::exp(-top / 1500));
-    EXPECT_NEAR(
-        kernels.call("realworldz.sky_depth", {{"altitude", {height}}, {"mu", {1}}}, {{"rw", realworldz_fields({})}})[0],
-        expected, 1e-9)
-        << height;
+    EXPECT_NEAR(sky_depth(height, 1), expected, 1e-9) << height;
     // Down to the ground: what lies below; from space all of it.
     const double below = 2e-4 * 1500 * (1 - std::exp(-std::min(height, top) / 1500));
-    EXPECT_NEAR(kernels.call("realworldz.sky_depth", {{"altitude", {height}}, {"mu", {-1}}},
-                             {{"rw", realworldz_fields({})}})[0],
-                below, 1e-9)
-        << height;
+    EXPECT_NEAR(sky_depth(height, -1), below, 1e-9) << height;
   }
 }
 
 // Two ways along one line: from a place outwards and, seen from the other end, back.
 TEST(RealworldzRings, see_the_same_air_from_both_ends_of_a_line) {
-  EngineCaller kernels(*engine_or_none("double"));
-  const auto depth = [&](double altitude, double mu) {
-    return kernels.call("realworldz.sky_depth", {{"altitude", {altitude}}, {"mu", {mu}}},
-                        {{"rw", realworldz_fields({})}})[0];
-  };
   // A line that misses the ground, its lowest point 200 m up: half of it from there, all of it from the top and from space.
-  const double lowest = 60200, whole = 2 * depth(200, 0);
+  const double lowest = 60200, whole = 2 * sky_depth(200, 0);
   for (double r : {75e3, 90e3})
-    EXPECT_NEAR(depth(r - 60e3, -std::sqrt(1 - lowest * lowest / (r * r))), whole, 1e-8 * whole) << r;
-  EXPECT_EQ(depth(30e3, -0.1), 0) << "misses the air";
+    EXPECT_NEAR(sky_depth(r - 60e3, -std::sqrt(1 - lowest * lowest / (r * r))), whole, 1e-8 * whole) << r;
+  EXPECT_EQ(sky_depth(30e3, -0.1), 0) << "misses the air";
+}
+
+// Air painted as dense everywhere is a length of it; a painted exponential is the exponential, as far as 256 texels hold it.
+TEST(RealworldzRings, take_a_painted_density_as_it_is) {
+  EXPECT_NEAR(sky_depth(0, 1, Numbers(256, 1.0)), 2e-4 * 15e3, 1e-9);
+  EXPECT_NEAR(sky_depth(5e3, 1, Numbers(256, 0.5)), 2e-4 * 0.5 * 10e3, 1e-9);
+  // A layer from 6 km up alone: nothing of it below, all of it from under it.
+  Numbers layer(256);
+  std::fill(layer.begin() + 102, layer.end(), 1.0);  // 6 km of 15
+  EXPECT_EQ(sky_depth(5e3, -1, layer), 0);
+  EXPECT_NEAR(sky_depth(0, 1, layer), 2e-4 * 9e3, 2e-4 * 200);  // a quarter of the 0.8 km that three points stand for
+  Numbers exponential;
+  for (int i = 0; i < 256; ++i) exponential.push_back(std::exp(-i / 255.0 * 15e3 / 1500));
+  // Linear between texels 0.039 scale heights apart: high by 0.039^2 / 12 = 1.3e-4.
+  for (double mu : {1.0, 0.3, 0.0}) EXPECT_NEAR(sky_depth(2, mu, exponential) / sky_depth(2, mu), 1, 2e-4) << mu;
 }
 
 TEST(RealworldzTable, is_as_the_specification_has_it_and_its_columns_go_where_the_shader_looks) {
