@@ -238,6 +238,16 @@ TEST_F(OnLand, other_systems_put_their_haze_before_land) {
   EXPECT_THROW(draw(sky({}, "codeflow")), InputError) << "knows the sky alone";
 }
 
+// The published way, at corners, and each pixel: not the same, and not far apart where triangles are small against the zone that fog clears.
+TEST_F(OnLand, realworldz_fogs_corners_or_pixels) {
+  SceneOptions options = plainly();
+  options.triangle_pixels = 24;
+  const double difference =
+      mean_difference(draw(sky({}, "realworldz"), options), draw(sky({{"fog", "pixel"}}, "realworldz"), options));
+  EXPECT_GT(difference, 1e-6) << "corners are asked";
+  EXPECT_LT(difference, 0.01);
+}
+
 TEST_F(OnLand, shadows_in_the_air_are_refused) {
   SceneOptions options = plainly();
   options.air_shadows = true;
