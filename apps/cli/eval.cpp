@@ -55,6 +55,8 @@ void evaluate_together(Engine& engine, std::span<Job* const> group) {
 void evaluate_adapter(Engine& engine, Job& job) {
   try {
     job.results = evaluate(*job.request.adapter, job.request.values, engine);
+  } catch (const Interrupted&) {
+    throw;
   } catch (const std::runtime_error& error) {
     job.request.error = error.what();
   }

@@ -8,7 +8,9 @@
 #include "airlight/error.h"
 #include "airlight/sky.h"
 #include "did_you_mean.h"
+#include "interrupt.h"
 #include "number_option.h"
+#include "progress.h"
 #include "scene/scene_sun.h"
 #include "scenefile/atmosphere_file.h"
 
@@ -143,11 +145,21 @@ void MachineOptions::check_model() const { check_model_name(model, "--model", mo
 
 std::shared_ptr<Engine> MachineOptions::make() const { return engine_named(engine); }
 
+std::function<void(double)> watch_tables() {
+  return [bar = std::shared_ptr<Progress>()](double done) mutable {
+    if (done >= 1) return bar.reset();
+    check_interrupt();
+    if (!bar) bar = std::make_shared<Progress>("tables");
+    bar->show(done);
+  };
+}
+
 std::shared_ptr<Engine> engine_named(const std::string& name) {
   check_name(name, "--engine", engines);
   auto engine = make_engine(name);
   engine->keep_on_disk(table_folder(),
                        [](const std::string& message) { fmt::print(stderr, "airlight: {}\n", message); });
+  engine->watch(watch_tables());
   return engine;
 }
 

@@ -1,6 +1,7 @@
 // Option groups that several commands share: which air, where the sun stands, which model and engine.
 #pragma once
 #include <CLI/CLI.hpp>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -69,7 +70,10 @@ struct MachineOptions {
 /// --engine alone
 void add_engine(CLI::App& app, std::string& engine);
 /// @throws InputError for unknown names, with "did you mean"; WorkError where the engine cannot run.
+/// Tables are kept on disk; making them shows a bar on a terminal and heeds Ctrl-C.
 std::shared_ptr<Engine> engine_named(const std::string& engine);
+/// What shows the bar and throws Interrupted: for Engine::watch().
+std::function<void(double done)> watch_tables();
 
 /// @throws InputError "--model = skyveiw: unknown; did you mean skyview?"
 void check_model_name(std::string_view model, std::string_view option, const std::vector<std::string_view>& known);

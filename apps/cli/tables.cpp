@@ -10,6 +10,7 @@
 #include "airlight/sky.h"
 #include "commands.h"
 #include "image/output_file.h"
+#include "model_options.h"
 #include "number_option.h"
 #include "optics/light_lift.h"
 #include "options.h"
@@ -25,6 +26,7 @@ namespace fs = std::filesystem;
 struct TablesOptions {
   std::string subject, folder, model, engine = "simd";
   AirOverrides overrides;
+  ModelOptions own;
   std::optional<double> altitude, sun_elevation, sun_azimuth;
 };
 
@@ -92,8 +94,8 @@ int run_tables(const TablesOptions& options) {
   const auto [air, model, altitude, sun_elevation, sun_azimuth] = subject_of(options);
   const std::shared_ptr<Engine> engine = engine_named(options.engine);
   const std::array<double, 4> wavelengths = Sky(air, model, engine).realtime_wavelengths();
-  const ModelTables made =
-      model_tables(air, model, *engine, wavelengths, altitude, direction(sun_azimuth * degree, sun_elevation * degree));
+  const ModelTables made = model_tables(air, model, options.own.parameters(), *engine, wavelengths, altitude,
+                                        direction(sun_azimuth * degree, sun_elevation * degree));
   const LightLift colour = light_lift(air, wavelengths);
 
   std::error_code error;
@@ -150,6 +152,7 @@ void add_tables(CLI::App& app, Command& chosen) {
              "from north, clockwise (default 0, or the scene's)");
   add_air_overrides(tables, options->overrides);
   tables.add_option("--model", options->model, "model of the sky (default skyview, or the scene's)")->type_name("NAME");
+  options->own.add_to(tables);
   add_engine(tables, options->engine);
   tables.callback([options, &chosen] { chosen = [options] { return run_tables(*options); }; });
 }

@@ -37,11 +37,15 @@ void add_validate(CLI::App& app, Command& chosen) {
       ->required()
       ->type_name("DIR");
   validate.add_flag("--quick", options->quick, "four of the yardstick's eight wavelengths");
-  validate.add_option("--model", options->models, "judge this one; may be repeated (default all)")
+  validate
+      .add_option("--model", options->models,
+                  "judge this one, with parameters of its own after a colon; may be repeated (default all)")
       ->allow_extra_args(false)
-      ->type_name("NAME");
-  validate.add_flag("--measured", options->measured,
-                    "compare with measured and published values instead; with --quick without random walks");
+      ->type_name("NAME[:KEY=VALUE,...]");
+  validate.add_flag(
+      "--measured", options->measured,
+      "compare with measured and published values instead; with --quick without precomputed; random walks "
+      "where --model reference asks for them");
   validate
       .add_flag("--spectrum", options->spectrum,
                 "colours of 3, 4, 8 and 16 wavelengths against 40 instead, and the best four with their matrix")

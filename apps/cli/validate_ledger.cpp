@@ -3,16 +3,18 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <optional>
 
 #include "airlight/error.h"
 #include "commands.h"
 #include "interrupt.h"
+#include "model/model.h"
+#include "model_options.h"
 #include "options.h"
 #include "progress.h"
 #include "text_output.h"
+#include "unfinished.h"
 #include "validate.h"
 #include "validate/ledger_text.h"
 
@@ -27,80 +29,78 @@ using Json = nlohmann::ordered_json;
 constexpr std::string_view without_sky = "rama";
 /// A published system's air is its own, made for a clear day on Earth.
 constexpr std::string_view air_of_published = "earth";
+constexpr std::string_view air_of_cost = "earth";
 
-std::optional<Json> read_json(const std::string& path) {
-  std::ifstream file(path);
-  if (!file) return {};
-  try {
-    return Json::parse(file);
-  } catch (const Json::exception&) {
-    return {};
+/// Models with parameters that are judged beside the defaults. The draft is what CI has the time for.
+constexpr std::string_view variants[] = {"precomputed:detail=draft"};
+
+/// "MODEL" or "MODEL:NAME=VALUE,NAME=VALUE".
+Contestant contestant_named(const std::string& text) {
+  const std::size_t colon = std::min(text.find(':'), text.size());
+  Contestant contestant{text, text.substr(0, colon), {}};
+  check_model_name(contestant.model, "--model", model_names());
+  if (contestant.model == without_sky)
+    throw InputError(fmt::format("--model = {}: has no sky above a planet", contestant.model));
+  ModelOptions own;
+  for (std::size_t begin = colon; begin < text.size();) {
+    const std::size_t end = std::min(text.find(',', begin + 1), text.size());
+    own.set.push_back(text.substr(begin + 1, end - begin - 1));
+    begin = end;
   }
+  contestant.parameters = own.parameters();
+  model_parameters(find_model(contestant.model), contestant.parameters, contestant.model + ".");  // complains
+  return contestant;
 }
 
-std::vector<std::string> chosen_models(const ValidateOptions& options) {
-  std::vector<std::string> names;
-  for (const std::string& name : options.models) {
-    check_model_name(name, "--model", model_names());
-    if (name == without_sky) throw InputError(fmt::format("--model = {}: has no sky above a planet", name));
-    names.push_back(name);
+std::vector<Contestant> contestants(const ValidateOptions& options) {
+  std::vector<Contestant> list;
+  for (const std::string& name : options.models) list.push_back(contestant_named(name));
+  if (!list.empty()) return list;
+  for (const std::string_view name : model_names()) {
+    if (name == without_sky) continue;
+    list.push_back(contestant_named(std::string(name)));
+    for (const std::string_view variant : variants)
+      if (variant.starts_with(std::string(name) + ':')) list.push_back(contestant_named(std::string(variant)));
   }
-  if (names.empty())
-    for (const std::string_view name : model_names())
-      if (name != without_sky) names.emplace_back(name);
-  return names;
+  return list;
 }
 
-/// What is done is kept in files of its own until all is, so that an interrupted run goes on.
-class Unfinished {
- public:
-  Unfinished(const std::string& folder, const Yardstick& yardstick)
-      : folder_(folder + "/unfinished"),
-        key_{{"version", version()}, {"solved", yardstick.rays.size()}, {"wavelengths", yardstick.wavelengths}} {}
-
-  std::optional<ModelAnswers> find(const std::string& model, const std::string& atmosphere) const {
-    const auto json = read_json(path(model, atmosphere));
-    if (!json || json->value("key", Json()) != key_) return {};
-    return model_answers_from(json->at("answers"));
-  }
-  void keep(const ModelAnswers& answers) const {
-    std::error_code error;
-    fs::create_directories(folder_, error);  // one that cannot be made, the file complains of
-    write_text(path(answers.model, answers.atmosphere), Json{{"key", key_}, {"answers", to_json(answers)}}.dump());
-  }
-  void remove() const {
-    std::error_code error;
-    fs::remove_all(folder_, error);
-  }
-
- private:
-  std::string path(const std::string& model, const std::string& atmosphere) const {
-    return fmt::format("{}/{}.{}.json", folder_, model, atmosphere);
-  }
-  std::string folder_;
-  Json key_;
-};
+/// Nothing is kept from earlier runs: what is to be timed is made.
+std::shared_ptr<Engine> watched_engine() {
+  auto engine = make_engine("simd");
+  engine->watch(watch_tables());
+  return engine;
+}
 
 Ledger make_ledger(const ValidateOptions& options, const Yardstick& yardstick, const Unfinished& unfinished) {
   std::vector<std::string> atmospheres;
   for (const YardstickRay& ray : yardstick.rays)
     if (std::ranges::find(atmospheres, ray.atmosphere) == atmospheres.end()) atmospheres.push_back(ray.atmosphere);
   std::ranges::sort(atmospheres);
-  Ledger ledger{yardstick.wavelengths, yardstick.rays.size(), {}, {}};
-  const std::vector<std::string> models = chosen_models(options);
+  Ledger ledger{yardstick.wavelengths, yardstick.solved, yardstick.irradiances, {}, {}};
+  const std::vector<Contestant> judged = contestants(options);
   Progress progress("validate");
   double done = 0;
-  for (const std::string& model : models) {
-    const bool published = model_info(model).colours != nullptr;
-    const double scale = published ? zenith_scale(model) : 1;
+  for (const Contestant& contestant : judged) {
+    const bool published = model_info(contestant.model).colours != nullptr;
+    const double scale = published ? zenith_scale(contestant) : 1;
     for (const std::string& atmosphere : atmospheres) {
       check_interrupt();
-      progress.show(done / double(models.size() * atmospheres.size()));
+      progress.show(done / double(judged.size() * atmospheres.size()));
       ++done;
       if (published && atmosphere != air_of_published) continue;
-      auto answers = unfinished.find(model, atmosphere);
-      if (!answers) unfinished.keep(*(answers = ask_model(model, atmosphere, yardstick)));
-      add_rows(ledger, yardstick, *answers, scale);
+      const std::string part = contestant.name + '.' + atmosphere;
+      ModelAnswers answers;
+      if (const auto done_before = unfinished.find(part)) {
+        answers = model_answers_from(*done_before);
+      } else {
+        answers = ask_model(contestant, atmosphere, yardstick, engine_named("simd"));
+        // One air is enough to say what a model costs; whoever looks for what became worse does not ask.
+        if (atmosphere == air_of_cost && options.against.empty())
+          answers.cost = cost_of(contestant, answers, yardstick, watched_engine());
+        unfinished.keep(part, to_json(answers));
+      }
+      add_rows(ledger, yardstick, answers, scale);
     }
   }
   return ledger;
@@ -129,7 +129,8 @@ int validate_ledger(const ValidateOptions& options) {
 
   std::error_code error;
   fs::create_directories(options.folder, error);  // one that cannot be made, the first file complains of
-  const Unfinished unfinished(options.folder, yardstick);
+  const Unfinished unfinished(options.folder + "/unfinished",
+                              {{"rays", yardstick.rays.size()}, {"wavelengths", yardstick.wavelengths}});
   const Ledger ledger = make_ledger(options, yardstick, unfinished);
   const std::string name = options.quick ? "quick" : "ledger", path = options.folder + '/' + name;
   write_text(path + ".json", as_json(ledger).dump(1) + '\n');
@@ -142,7 +143,8 @@ int validate_ledger(const ValidateOptions& options) {
     write_into_page(options.page, "ledger", as_markdown(ledger, (folder / name).string()));
   }
   unfinished.remove();
-  fmt::print(stderr, "{}: {} rays, {} figures\n", options.folder, ledger.solved, ledger.rows.size());
+  fmt::print(stderr, "{}: {} rays, {} irradiances, {} figures\n", options.folder, ledger.solved, ledger.irradiances,
+             ledger.rows.size());
   if (!before) return ok;
   const std::vector<std::string> worse = worse_than(ledger, *before);
   for (const std::string& line : worse) fmt::print(stderr, "worse: {}\n", line);

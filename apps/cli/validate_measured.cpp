@@ -14,6 +14,7 @@
 #include "options.h"
 #include "progress.h"
 #include "text_output.h"
+#include "unfinished.h"
 #include "validate.h"
 #include "validate/air_mass.h"
 #include "validate/direct_spectrum.h"
@@ -32,7 +33,7 @@ struct Report {
   std::string text;
 };
 
-/// Models that know any wavelength, and random walks; where there is no time, those alone whose tables cost little.
+/// Models that know any wavelength; where there is no time, those whose tables cost little. Random walks where they are asked for.
 std::vector<std::string> judged(const ValidateOptions& options) {
   if (!options.models.empty()) {
     for (const std::string& name : options.models) check_model_name(name, "--model", answering_models());
@@ -41,7 +42,6 @@ std::vector<std::string> judged(const ValidateOptions& options) {
   std::vector<std::string> names;
   for (const ModelInfo& model : models())
     if (!model.colours && !(options.quick && find_model(model.name).orders)) names.emplace_back(model.name);
-  if (!options.quick) names.emplace_back("reference");
   return names;
 }
 
@@ -58,7 +58,18 @@ Answerers answerers_for(const Atmosphere& air) {
   return Answerers({engine_named("simd"), [air](const std::string&) { return air; }});
 }
 
-void add_measured_sky(Report& report, const ValidateOptions& options, const std::vector<std::string>& names) {
+/// What a part of the work gave before, or gives now.
+std::vector<double> once(const Unfinished& unfinished, const std::string& part,
+                         const std::function<std::vector<double>()>& make) {
+  if (const auto done = unfinished.find(part)) return done->get<std::vector<double>>();
+  check_interrupt();
+  std::vector<double> values = make();
+  unfinished.keep(part, values);
+  return values;
+}
+
+void add_measured_sky(Report& report, const ValidateOptions& options, const std::vector<std::string>& names,
+                      const Unfinished& unfinished) {
   const MeasuredSky sky = read_measured_sky(options.data + "/measured/measured_sky_20130527.json");
   Answerers answerers = answerers_for(air_of_measured_sky());
   report.text +=
@@ -67,10 +78,12 @@ void add_measured_sky(Report& report, const ValidateOptions& options, const std:
       "the sun from 44 to 69 degrees high. Correct scalar theory with this air: 12.6 %.\n\n"
       "| model | all [%] | bias [%] | scan by scan [%] |\n|---|---|---|---|\n";
   for (const std::string& name : names) {
+    int scan = 0;
     const auto radiance = [&](std::span<const Ray> rays, const std::vector<double>& wavelengths) {
-      check_interrupt();
       const std::string own = name == "reference" ? effort : "";
-      return flat(answerers.answer({"measured", name, &asked("radiance"), wavelengths, 0, own}, rays));
+      return once(unfinished, fmt::format("measured_sky.{}.{}", name, ++scan), [&] {
+        return flat(answerers.answer({"measured", name, &asked("radiance"), wavelengths, 0, own}, rays));
+      });
     };
     const MeasuredSkyError error = compare_with_measured_sky(sky, radiance);
     std::string scans;
@@ -106,7 +119,7 @@ std::string lux(double value) {
   return value < 1000 ? fmt::format("{:.3g}", value) : fmt::format("{:.0f}00", value / 100);
 }
 
-void add_illuminance(Report& report, const std::vector<std::string>& names) {
+void add_illuminance(Report& report, const std::vector<std::string>& names, const Unfinished& unfinished) {
   report.text +=
       "\nIlluminance of level ground [lx], sunlight and skylight, clear `earth`, against Janiczek & DeYoung 1987 (U.S. "
       "Naval Observatory\n"
@@ -117,11 +130,12 @@ void add_illuminance(Report& report, const std::vector<std::string>& names) {
   for (const std::string& name : names) {
     Answerers answerers = answerers_for(built_in_atmosphere("earth"));
     const auto level = [&](double elevation, const std::vector<double>& wavelengths) {
-      check_interrupt();
       const Ray ray{.sun = direction(0, elevation * degree)};
       const std::string own = name == "reference" ? effort : "";
       // Few wavelengths share walks well: the eye's forty are asked together.
-      auto sky = flat(answerers.answer({"earth", name, &asked("sky_irradiance"), wavelengths, 0, own}, {&ray, 1}));
+      auto sky = once(unfinished, fmt::format("illuminance.{}.{}", name, elevation), [&] {
+        return flat(answerers.answer({"earth", name, &asked("sky_irradiance"), wavelengths, 0, own}, {&ray, 1}));
+      });
       const auto sun = flat(answerers.answer({"earth", name, &asked("sun_irradiance"), wavelengths, 0}, {&ray, 1}));
       for (std::size_t w = 0; w < sky.size(); ++w) sky[w] += sun[w] * std::max(ray.sun[2], 0.0);
       return sky;
@@ -165,15 +179,17 @@ void add_air_mass(Report& report) {
 
 int validate_measured(const ValidateOptions& options) {
   const std::vector<std::string> names = judged(options);
+  const Unfinished unfinished(options.folder + "/unfinished-measured", "measured");
   Report report;
-  add_measured_sky(report, options, names);
+  add_measured_sky(report, options, names, unfinished);
   add_direct_spectrum(report, options);
-  add_illuminance(report, names);
+  add_illuminance(report, names, unfinished);
   add_air_mass(report);
   std::error_code error;
   std::filesystem::create_directories(options.folder, error);  // one that cannot be made, the first file complains of
   write_text(options.folder + "/measured.json", report.json.dump(1) + '\n');
   write_text(options.folder + "/measured.md", report.text);
+  unfinished.remove();
   if (!options.page.empty()) write_into_page(options.page, "measured", report.text);
   return ok;
 }

@@ -16,8 +16,9 @@ class Tables:
     def lookup(self, name, column, row):
         """Linear between four texels; column and row count from 0 at the first texel's centre."""
         table, texels = self.index["tables"][name], self.texels[name]
-        x, y = min(int(column), table["width"] - 2), min(int(row), max(table["height"] - 2, 0))
-        below = min(y + 1, table["height"] - 1)
+        last_row = table["height"] * table["depth"] - 1  # slices lie one below the other
+        x, y = min(int(column), table["width"] - 2), min(int(row), max(last_row - 1, 0))
+        below = min(y + 1, last_row)
         at = lambda i, j, k: texels[4 * (j * table["width"] + i) + k]
         mix = lambda a, b, t: a + t * (b - a)
         return [mix(mix(at(x, y, k), at(x + 1, y, k), column - x), mix(at(x, below, k), at(x + 1, below, k), column - x), row - y) for k in range(4)]

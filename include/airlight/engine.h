@@ -12,6 +12,7 @@ namespace airlight {
 
 struct PassInfo;
 struct FunctionInfo;
+class Stage;
 
 struct Shape {
   int width = 1, height = 1, depth = 1;
@@ -64,6 +65,13 @@ class Engine {
   /// @param message  told what is amiss with a file, in a sentence; may be empty
   void keep_on_disk(std::string folder, std::function<void(const std::string&)> message);
 
+  /// From now on `watch` is told, about ten times a second while tables are being made, which part of the work is done: 0 to 1, never
+  /// falling within one question; an estimate where the number of steps shows on the way. It is called from the thread that asks. What it
+  /// throws ends the work and comes out of the question: nothing half-made is kept, in memory or on disk, and the engine can be asked again.
+  /// When the work is over or given up, it is told 1, and what it throws then is ignored.
+  /// @param watch  empty: nobody
+  void watch(std::function<void(double done)> watch);
+
   /// Runs a pass over rows [begin, end) of a picture and writes RGBA floats; nothing is kept.
   /// @param rgba  (end - begin) * width * 4 values
   void draw(const PassInfo& pass, std::span<const double> parameters, std::span<const Table> inputs, Shape shape,
@@ -84,22 +92,30 @@ class Engine {
 
  protected:
   virtual std::shared_ptr<void> make_table(Shape shape, std::span<const double> rgba) = 0;
-  virtual std::vector<std::shared_ptr<void>> run_pass(const PassInfo& pass, std::span<const double> parameters,
-                                                      std::span<const Table> inputs, Shape shape) = 0;
+  /// A table to be filled by run_rows().
+  virtual std::shared_ptr<void> make_empty(Shape shape) = 0;
+  /// Fills rows [begin, end), counted through all slices, of a pass's outputs; where these are not all rows, they are there on return.
+  virtual void run_rows(const PassInfo& pass, std::span<const double> parameters, std::span<const Table> inputs,
+                        Shape shape, int begin, int end, std::span<const std::shared_ptr<void>> outputs) = 0;
   virtual void draw_rows(const PassInfo& pass, std::span<const double> parameters, std::span<const Table> inputs,
                          Shape shape, int begin, int end, std::span<float> rgba) = 0;
 
  private:
+  friend class Stage;
   struct Kept {
     std::vector<Table> tables;
     std::uint64_t used = 0;
   };
+  std::vector<std::shared_ptr<void>> run_pass(const PassInfo& pass, std::span<const double> parameters,
+                                              std::span<const Table> inputs, Shape shape);
   void keep(std::uint64_t key, std::vector<Table> tables);
   const std::vector<Table>* find_kept(std::uint64_t key);
 
   std::map<std::uint64_t, Kept> kept_;
   std::string folder_;
   std::function<void(const std::string&)> message_;
+  std::function<void(double)> watch_;
+  const Stage* stage_ = nullptr;  // the innermost
   std::size_t kept_texels_ = 0;
   std::map<std::string, long, std::less<>> runs_;
   std::uint64_t clock_ = 0;

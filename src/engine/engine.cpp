@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <bit>
 #include <cassert>
+#include <chrono>
 #include <cstdio>
 
 #include "airlight/error.h"
 #include "engine/cpu/cpu_engine.h"
 #include "engine/kernel_index.h"
+#include "engine/stage.h"
 #include "engine/table_file.h"
 #ifdef AIRLIGHT_HAS_GL
 #include "engine/gl/gl_engine.h"
@@ -132,6 +134,31 @@ void Engine::keep_on_disk(std::string folder, std::function<void(const std::stri
   message_ = std::move(message);
 }
 
+void Engine::watch(std::function<void(double)> watch) { watch_ = std::move(watch); }
+
+std::vector<std::shared_ptr<void>> Engine::run_pass(const PassInfo& pass, std::span<const double> parameters,
+                                                    std::span<const Table> inputs, Shape shape) {
+  assert(inputs.size() == pass.tables.size());
+  std::vector<std::shared_ptr<void>> outputs;
+  for (std::size_t i = 0; i < pass.outputs.size(); ++i) outputs.push_back(make_empty(shape));
+  const Stage own(*this, 0.0, 1.0);
+  const int all = shape.height * shape.depth;
+  // Rows at a time: as many as take about a tenth of a second, so that whoever watches can show progress and stop.
+  using Clock = std::chrono::steady_clock;
+  constexpr auto patience = std::chrono::milliseconds(100);
+  int rows = watch_ ? std::max(1, (1 << 14) / shape.width) : all;
+  for (int begin = 0, end = 0; begin < all; begin = end) {
+    own.tell();
+    const auto started = Clock::now();
+    end = std::min(all, begin + rows);
+    run_rows(pass, parameters, inputs, shape, begin, end, outputs);
+    const auto took = Clock::now() - started;
+    if (took > patience) rows = std::max(1, rows / 2);
+    if (took < patience / 3) rows = std::min(all, 2 * rows);
+  }
+  return outputs;
+}
+
 std::vector<Table> Engine::make_once(std::string_view what, std::span<const double> parameters,
                                      std::span<const Table> inputs, const std::function<std::vector<Table>()>& make) {
   const std::uint64_t key = key_of(what, {}, parameters, inputs);
@@ -163,7 +190,6 @@ std::vector<Table> Engine::make_once(std::string_view what, std::span<const doub
 
 std::vector<Table> Engine::run(const PassInfo& pass, std::span<const double> parameters, std::span<const Table> inputs,
                                Shape shape) {
-  assert(inputs.size() == pass.tables.size());
   const std::uint64_t key = key_of(pass.name, shape, parameters, inputs);
   if (const auto* kept = find_kept(key)) return *kept;
   std::vector<Table> tables;
@@ -180,7 +206,6 @@ std::vector<Table> Engine::run(const PassInfo& pass, std::span<const double> par
 
 std::vector<Table> Engine::run_once(const PassInfo& pass, std::span<const double> parameters,
                                     std::span<const Table> inputs, Shape shape) {
-  assert(inputs.size() == pass.tables.size());
   std::vector<Table> tables;
   for (auto& storage : run_pass(pass, parameters, inputs, shape))
     tables.push_back({shape, ++clock_, std::move(storage)});

@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <bit>
+#include <chrono>
 #include <cmath>
 #include <cstring>
 #include <fstream>
@@ -24,6 +25,20 @@ std::uint64_t checksum(std::span<const std::uint64_t> words) {
     sum ^= sum >> 29;
   }
   return sum;
+}
+
+constexpr const char* unfinished = ".partial-";
+
+/// What processes that were killed while writing have left: nobody writes for an hour.
+void remove_leftovers(const std::filesystem::path& folder) {
+  std::error_code error;
+  const auto old = std::filesystem::file_time_type::clock::now() - std::chrono::hours(1);
+  for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
+    std::error_code gone;
+    if (entry.path().filename().string().find(std::string(".tables") + unfinished) != std::string::npos &&
+        entry.last_write_time(gone) < old && !gone)
+      std::filesystem::remove(entry.path(), gone);
+  }
 }
 
 std::size_t words_of(Shape shape, int number_size) { return 4 * shape.texels() * std::size_t(number_size) / 8; }
@@ -95,9 +110,10 @@ std::string TableFile::write(const std::vector<Values>& tables) const {
   static std::atomic<unsigned> count{0};
   std::error_code error;
   std::filesystem::create_directories(path.parent_path(), error);
+  remove_leftovers(path.parent_path());
   // A name of this process alone: two that make the same tables do not write into one file.
   std::filesystem::path temporary = path;
-  temporary += ".partial-" + std::to_string(getpid()) + "-" + std::to_string(count++);
+  temporary += unfinished + std::to_string(getpid()) + "-" + std::to_string(count++);
   std::ofstream file(temporary, std::ios::binary);
   file.write(reinterpret_cast<const char*>(words.data()), std::streamsize(8 * words.size()));
   file.close();

@@ -34,6 +34,9 @@ class Binder {
   /// Its tables: what was set, else the output of that name of one of the model's passes, which is run if need be.
   std::vector<Table> inputs(const PassInfo& pass) const;
 
+  /// One of a pass's tables.
+  Table table(std::string_view argument, const PassInfo& reader) const;
+
   /// Runs a pass; the result is kept by the engine.
   std::vector<Table> run(std::string_view pass, Shape shape) const;
   /// Runs a pass over questions that will not be asked again.
@@ -45,7 +48,6 @@ class Binder {
   Engine& engine() const { return engine_; }
 
  private:
-  Table table(std::string_view argument, const PassInfo& reader) const;
   std::vector<Table> orders() const;  // what Model::orders sums up to, kept by the engine
 
   Engine& engine_;

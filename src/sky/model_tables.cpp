@@ -1,9 +1,8 @@
 #include "sky/model_tables.h"
 
-#include <set>
-
 #include "airlight/error.h"
 #include "engine/kernel_index.h"
+#include "engine/stage.h"
 #include "optics/bake.h"
 #include "sky/sky_impl.h"
 
@@ -18,14 +17,17 @@ ModelTables::Texels texels(Engine& engine, const Table& table) {
 
 }  // namespace
 
-ModelTables model_tables(const Atmosphere& atmosphere, std::string_view name, Engine& engine,
-                         const std::array<double, 4>& wavelengths, double altitude, const Direction& sun) {
+ModelTables model_tables(const Atmosphere& atmosphere, std::string_view name, const Parameters& parameters,
+                         Engine& engine, const std::array<double, 4>& wavelengths, double altitude,
+                         const Direction& sun) {
   const Model& model = find_model(name);
   if (model.colours)
     throw InputError("model " + std::string(name) +
                      " has no tables of air: it answers in colours, from its parameters");
   const BakedAir baked = bake(atmosphere, wavelengths, 0, model.air);
-  const Situation situation{atmosphere.planet.ground_radius, atmosphere.planet.top_altitude, altitude};
+  check_optical_depth(model, atmosphere.name, wavelengths, vertical_optical_depth(baked));
+  const Values own_values = model_parameters(model, parameters, std::string(name) + ".");
+  const Situation situation{atmosphere.planet.ground_radius, atmosphere.planet.top_altitude, altitude, &own_values};
   Binder binder(engine, model, situation);
   ModelTables result;
   const auto set = [&](const char* argument, const Fields& fields) {
@@ -41,21 +43,24 @@ ModelTables model_tables(const Atmosphere& atmosphere, std::string_view name, En
   }
 
   // What only makes other tables is left out.
-  std::set<std::string_view> read;
+  std::map<std::string_view, const PassInfo*> read;
   for (const std::string_view pass : {model.rays, model.picture(situation), model.haze(situation)}) {
     if (pass.empty()) continue;
     const PassInfo& info = kernel_pass(pass);
-    for (const ArgumentInfo& table : info.tables) read.insert(table.name);
+    for (const ArgumentInfo& table : info.tables) read[table.name] = &info;
     for (const ArgumentInfo& argument : info.parameters) {
       const Fields own = model.fields ? model.fields(argument.name, situation) : Fields{};
       if (!own.empty()) result.structs[std::string(argument.name)] = own;
     }
   }
-  for (const TablePass& made : model.tables) {
-    const PassInfo& pass = kernel_pass(made.pass);
-    for (std::size_t i = 0; i < pass.outputs.size(); ++i) {
-      if (!read.contains(pass.outputs[i])) continue;
-      result.tables[std::string(pass.outputs[i])] = texels(engine, binder.run(made.pass, made.shape_for(situation))[i]);
+  std::vector<TablePass> makers = model.tables;
+  if (model.orders) makers.insert(makers.end(), {model.orders->source, model.orders->ground_light});
+  const Stage whole(engine, 0.0, 1.0);
+  for (const TablePass& made : makers) {
+    for (const std::string_view output : kernel_pass(made.pass).outputs) {
+      const auto reader = read.find(output);
+      if (reader == read.end()) continue;
+      result.tables[std::string(output)] = texels(engine, binder.table(output, *reader->second));
     }
   }
   return result;

@@ -8,6 +8,7 @@
 #include "airlight/atmosphere.h"
 #include "airlight/camera.h"
 #include "airlight/engine.h"
+#include "airlight/parameters.h"
 #include "model/model.h"
 
 namespace airlight {
@@ -22,10 +23,12 @@ struct ModelTables {
       structs;  ///< numbers of the kernels' parameter structs: air, observer, and the model's own
 };
 
+/// @param parameters  the model's own
 /// @param altitude  of the observer whose tables they are [m], 0 to the top of the air
 /// @param sun       unit, in the observer's frame
 /// @throws InputError for an unknown model, and all that bake() refuses
-ModelTables model_tables(const Atmosphere& atmosphere, std::string_view model, Engine& engine,
-                         const std::array<double, 4>& wavelengths, double altitude, const Direction& sun);
+ModelTables model_tables(const Atmosphere& atmosphere, std::string_view model, const Parameters& parameters,
+                         Engine& engine, const std::array<double, 4>& wavelengths, double altitude,
+                         const Direction& sun);
 
 }  // namespace airlight

@@ -1,8 +1,10 @@
 #include "sky/orders.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "airlight/error.h"
+#include "engine/stage.h"
 
 namespace airlight {
 namespace {
@@ -30,6 +32,13 @@ double largest_part(const std::vector<double>& order, const std::vector<double>&
   return largest;
 }
 
+/// How much of the sum is done after so many orders, if each order's part goes on to shrink as it did last.
+double share_done(int orders, double part, double part_before) {
+  const double shrinks = std::clamp(part / part_before, 0.05, 0.95);
+  const double left = std::max(std::log(small_part / part) / std::log(shrinks), 0.0);
+  return orders / (orders + left + 1);  // the last scattering, of the sum, costs half an order
+}
+
 }  // namespace
 
 std::vector<Table> sum_orders(const Binder& binder, const OrderPasses& passes) {
@@ -39,7 +48,9 @@ std::vector<Table> sum_orders(const Binder& binder, const OrderPasses& passes) {
     b.set("light", from);
     return std::vector<Table>{b.run_once(passes.source)[0], b.run_once(passes.ground_light)[0]};
   };
+  double done = 0, part_before = 1;
   for (int order = 2;; ++order) {
+    const Stage stage(b.engine(), done, 1.0);
     if (order > most_orders)
       throw WorkError("orders of scattering: the sum has not settled after " + std::to_string(most_orders));
     const std::vector<Table> made = scatter(light);
@@ -57,6 +68,8 @@ std::vector<Table> sum_orders(const Binder& binder, const OrderPasses& passes) {
       return scatter(sum);
     }
     light = next;
+    done = share_done(order, part, part_before);
+    part_before = part;
   }
 }
 

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "airlight/error.h"
+#include "engine/stage.h"
 #include "optics/colour.h"
 #include "sky/camera.h"
 #include "sky/channel_colours.h"
@@ -70,6 +71,14 @@ std::vector<Sky::Impl::Draw> Sky::Impl::draws_for(const Camera& camera, const Di
   return frames;
 }
 
+void Sky::Impl::for_each_quad(std::size_t wavelengths, const std::function<void(std::size_t)>& make) const {
+  const Stage whole(*engine, 0.0, 1.0);
+  for (std::size_t w = 0; w < wavelengths; w += 4) {
+    const Stage stage(*engine, w / 4, (wavelengths + 3) / 4);
+    make(w);
+  }
+}
+
 bool Sky::Impl::draw_strips(const Camera& camera, std::span<const Draw> draws, std::size_t channels,
                             const std::function<void(std::size_t, std::span<const float>)>& drawn,
                             const std::function<bool(int, int)>& strip) {
@@ -105,10 +114,11 @@ bool Sky::render(const Camera& camera, Direction sun, const PictureOptions& opti
       colours ? primaries(colours->luminance) : srgb_weights(impl_->atmosphere, wavelengths);
 
   std::vector<Impl::Draw> draws;
-  for (std::size_t w = 0; w < wavelengths.size(); w += 4)
+  impl_->for_each_quad(wavelengths.size(), [&](std::size_t w) {
     for (Impl::Draw& draw :
          impl_->draws_for(camera, to_sun, options.sun_disc, quad_at(wavelengths, w), four_at(weights, w)))
       draws.push_back(std::move(draw));
+  });
   const Gathering gathering = impl_->gathering();
   std::optional<FrameBlend> blend;
   std::vector<float> sum;
@@ -148,18 +158,18 @@ bool Sky::render_spectral(const Camera& camera, Direction sun, const PictureOpti
   // A picture has three channels: each four wavelengths are drawn twice, for the first three and for the last.
   std::vector<Impl::Draw> draws;
   std::vector<std::size_t> first;  // wavelength in a draw's red
-  for (std::size_t w = 0; w < W; w += 4) {
+  impl_->for_each_quad(W, [&](std::size_t w) {
     const Quad quad = quad_at(wavelengths, w);
     draws.push_back(
         impl_->draws_for(camera, to_sun, options.sun_disc, quad, {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0}}})
             .front());
     first.push_back(w);
-    if (w + 3 >= W) break;
+    if (w + 3 >= W) return;
     draws.push_back(
         impl_->draws_for(camera, to_sun, options.sun_disc, quad, {{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {1, 0, 0}}})
             .front());
     first.push_back(w + 3);
-  }
+  });
   std::vector<float> values;
   const auto drawn = [&](std::size_t d, std::span<const float> rgba) {
     values.resize(rgba.size() / 4 * W);

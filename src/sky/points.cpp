@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "airlight/error.h"
+#include "engine/stage.h"
 #include "sky/checks.h"
 #include "sky/colour_answers.h"
 #include "sky/sky_impl.h"
@@ -87,7 +88,11 @@ void Sky::Impl::haze(double altitude, const Direction& sun, std::span<const Sigh
   const Table shadow_map = shadows ? cast(*shadows, datum) : engine->upload({2, 2, 1}, std::vector<double>(16, 0.0));
   const AirShadows map = shadows ? *shadows : AirShadows{};
   const std::size_t W = answers_for(*model, wavelengths);
-  for (const Run& run : runs_for(*model, wavelengths)) {
+  const std::vector<Run> runs = runs_for(*model, wavelengths);
+  const Stage whole(*engine, 0.0, 1.0);
+  for (std::size_t r = 0; r < runs.size(); ++r) {
+    const Run& run = runs[r];
+    const Stage stage(*engine, r, runs.size());
     Binder b = binder(*model, run.quad, altitude);
     b.set("observer", observer_fields(sun, s.altitude));
     b.set("sun_direction", sun_direction_fields(sun));
@@ -118,7 +123,11 @@ void Sky::Impl::surface(std::span<const SurfacePoint> points, double sun_zenith_
 
   std::vector<double> colours;
   const std::size_t W = answers_for(*model, wavelengths);
-  for (const Run& run : runs_for(*model, wavelengths)) {
+  const std::vector<Run> runs = runs_for(*model, wavelengths);
+  const Stage whole(*engine, 0.0, 1.0);
+  for (std::size_t r = 0; r < runs.size(); ++r) {
+    const Run& run = runs[r];
+    const Stage stage(*engine, r, runs.size());
     Binder b = binder(*model, run.quad, 0);
     model->colours ? light_in_colours(b, sun_zenith_cosine) : light_from_air(b, sun_zenith_cosine);
     if (W != 4 || points.size() != shape.texels()) {

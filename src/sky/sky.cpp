@@ -5,6 +5,7 @@
 #include <map>
 
 #include "airlight/error.h"
+#include "engine/stage.h"
 #include "optics/colour.h"
 #include "sky/checks.h"
 #include "sky/colour_answers.h"
@@ -58,7 +59,11 @@ void Sky::Impl::answer(Quantity quantity, std::span<const Ray> rays, std::span<c
     set_texel(suns, i, distance, r.sun[0], r.sun[1], r.sun[2]);
   }
   std::vector<double> texels(4 * shape.texels()), more(texels.size());
-  for (const Run& run : runs_for(m, wavelengths)) {
+  const std::vector<Run> runs = runs_for(m, wavelengths);
+  const Stage whole(*engine, 0.0, 1.0);
+  for (std::size_t r = 0; r < runs.size(); ++r) {
+    const Run& run = runs[r];
+    const Stage stage(*engine, r, runs.size());
     Binder b = binder(m, run.quad, rays[which[0]].altitude);
     b.set("eyes", engine->upload(shape, eyes));
     b.set("suns", engine->upload(shape, suns));
@@ -130,6 +135,7 @@ void Sky::evaluate(Quantity quantity, std::span<const Ray> rays, std::span<const
   // Light of the first order is what `single` computes.
   const Model& model = max_order == 1 ? find_model("single") : own;
   std::vector<double> answers(out.size());
+  const Stage whole(*impl_->engine, 0.0, 1.0);
   for (const auto& [datum, group] : groups) {
     // In parts, so that the tables of a million rays fit an engine.
     constexpr std::size_t part = 4096;

@@ -30,6 +30,17 @@ inline Fields sun_direction_fields(const Direction& sun) { return {{"direction",
 // Below the ground sphere the ground lies just below the eye.
 inline constexpr double eye_height = 1;  // [m]
 
+/// @param depth  vertical, of the air at these wavelengths
+/// @throws InputError where the model does not take so dense an air
+inline void check_optical_depth(const Model& m, const std::string& air, const Quad& quad, const Quad& depth) {
+  for (std::size_t k = 0; k < quad.size(); ++k) {
+    if (depth[k] <= m.greatest_optical_depth) continue;
+    throw InputError("atmosphere '" + air + "': vertical optical depth " + number_text(depth[k]) + " at " +
+                     number_text(quad[k]) + " nm: expected at most " + number_text(m.greatest_optical_depth) +
+                     " for model " + std::string(m.name) + "; reference, or the approximate skyview, take denser air");
+  }
+}
+
 struct Sky::Impl {
   Atmosphere atmosphere;
   const Model* model;
@@ -51,19 +62,9 @@ struct Sky::Impl {
     if (const auto found = baked.find(key); found != baked.end()) return found->second;
     if (baked.size() > 64) baked.clear();  // observers below the ground sphere each have a datum of their own
     BakedAir b = bake(atmosphere, quad, datum, m.air);
-    check_optical_depth(m, quad, vertical_optical_depth(b));
+    check_optical_depth(m, atmosphere.name, quad, vertical_optical_depth(b));
     const auto upload = [&](const BakedTable& t) { return engine->upload(t.shape, t.rgba); };
     return baked[key] = {std::move(b.numbers), upload(b.zones), upload(b.profile), upload(b.phases)};
-  }
-
-  void check_optical_depth(const Model& m, const Quad& quad, const Quad& depth) const {
-    for (std::size_t k = 0; k < quad.size(); ++k) {
-      if (depth[k] <= m.greatest_optical_depth) continue;
-      throw InputError("atmosphere '" + atmosphere.name + "': vertical optical depth " + number_text(depth[k]) +
-                       " at " + number_text(quad[k]) + " nm: expected at most " +
-                       number_text(m.greatest_optical_depth) + " for model " + std::string(m.name) +
-                       "; reference, or the approximate skyview, take denser air");
-    }
   }
 
   Situation situation(double altitude, double datum) const {
@@ -99,6 +100,8 @@ struct Sky::Impl {
   /// One, or one for each frame that the model's pictures gather, the last one last.
   std::vector<Draw> draws_for(const Camera& camera, const Direction& to_sun, bool sun_disc, const Quad& quad,
                               const std::array<std::array<double, 3>, 4>& weights);
+  /// Calls `make` with the first of each four wavelengths; whoever watches the engine is told how many are done.
+  void for_each_quad(std::size_t wavelengths, const std::function<void(std::size_t first)>& make) const;
   Gathering gathering() const { return model->gathering ? model->gathering(parameters) : Gathering{}; }
   /// Runs them over one strip after the other; `drawn` is given each, `strip` told when all are, and stops by false.
   /// @param channels  numbers of a pixel that are kept

@@ -153,8 +153,8 @@ void add_quantity(Ledger& ledger, const ModelAnswers& answers, const std::string
 
 }  // namespace
 
-double zenith_scale(const std::string& name) {
-  const Model& model = find_model(name);
+double zenith_scale(const Contestant& contestant) {
+  const Model& model = find_model(contestant.model);
   const Atmosphere earth = built_in_atmosphere("earth");
   const Ray zenith{.altitude = 0, .view = {0, 0, 1}, .sun = direction(0, 60 * degree)};
   const std::vector<double> wavelengths{390, 440, 480, 520, 560, 610, 670, 740};
@@ -162,7 +162,8 @@ double zenith_scale(const std::string& name) {
   const auto light = solver.radiance(zenith, {.walks = 1'000'000, .target_error = 0.002});
   const double truth = colour_of(light.total.mean, colour_weights(earth, wavelengths))[1];
   std::array<double, 3> rgb;
-  Sky(earth, name).evaluate(Quantity::radiance, {&zenith, 1}, model.colours->wavelengths, rgb);
+  Sky(earth, contestant.model, make_engine("simd"), contestant.parameters)
+      .evaluate(Quantity::radiance, {&zenith, 1}, model.colours->wavelengths, rgb);
   return truth / srgb_to_xyz(rgb)[1];
 }
 

@@ -10,10 +10,10 @@
 namespace airlight::validation {
 
 struct LedgerRow {
-  std::string model, atmosphere;
-  std::string quantity;   ///< "radiance", "luminance", "transmittance" or "sky_irradiance"
-  std::string condition;  ///< "all", "sun 10", "from 10 km", ...
-  Figure figure;          ///< relative, of transmittance absolute
+  std::string model, atmosphere;  ///< the contestant's name
+  std::string quantity;           ///< "radiance", "luminance", "transmittance" or "sky_irradiance"
+  std::string condition;          ///< "all", "sun 10", "from 10 km", ...
+  Figure figure;                  ///< relative, of transmittance absolute
   std::size_t rays = 0, unanswered = 0;
   double colour_median = 0, colour_p90 = 0;  ///< CIEDE2000 of light made as bright as the truth
 };
@@ -26,6 +26,7 @@ struct ModelCost {
 struct Ledger {
   std::vector<double> wavelengths;  ///< [nm]
   std::size_t solved = 0;           ///< rays of the yardstick that were there
+  std::size_t irradiances = 0;      ///< of the yardstick
   std::vector<LedgerRow> rows;
   std::vector<ModelCost> costs;
 };
@@ -35,7 +36,7 @@ inline constexpr double dimmest_counted = 1e-5;
 
 /// A published system's unit is its own: the factor that makes its zenith as bright as the truth's, with the sun 60 degrees up in the
 /// air `earth`, seen from the ground. @throws InputError where the model says nothing there
-double zenith_scale(const std::string& model);
+double zenith_scale(const Contestant& contestant);
 
 /// Adds the rows of one model in one atmosphere.
 /// @param scale  of a published system's values [cd/m^2]; not used for others

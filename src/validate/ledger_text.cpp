@@ -26,11 +26,11 @@ std::string percent(double part) {
 
 std::string light_of(const std::string& quantity) { return quantity == "luminance" ? "radiance" : quantity; }
 
-/// A model's row on radiance, or on luminance where it answers in colours.
+/// A model's row on a quantity; on luminance for radiance where it answers in colours.
 const LedgerRow* light_row(const Ledger& ledger, const std::string& model, const std::string& atmosphere,
-                           const std::string& condition) {
-  const LedgerRow* row = find_row(ledger, model, atmosphere, "radiance", condition);
-  return row ? row : find_row(ledger, model, atmosphere, "luminance", condition);
+                           const std::string& condition, const std::string& quantity = "radiance") {
+  const LedgerRow* row = find_row(ledger, model, atmosphere, quantity, condition);
+  return row || quantity != "radiance" ? row : find_row(ledger, model, atmosphere, "luminance", condition);
 }
 
 template <class Rows, class Member>
@@ -41,10 +41,10 @@ std::vector<std::string> distinct(const Rows& rows, Member member) {
   return names;
 }
 
-std::string error_table(const Ledger& ledger, const std::string& atmosphere) {
+std::string error_table(const Ledger& ledger, const std::string& atmosphere, const std::string& quantity) {
   std::vector<std::string> conditions;
   for (const LedgerRow& row : ledger.rows)
-    if (row.atmosphere == atmosphere && light_of(row.quantity) == "radiance" && row.condition != "sun -2 and higher" &&
+    if (row.atmosphere == atmosphere && light_of(row.quantity) == quantity && row.condition != "sun -2 and higher" &&
         std::ranges::find(conditions, row.condition) == conditions.end())
       conditions.push_back(row.condition);
   // Suns in their order, whichever models answer under which.
@@ -52,7 +52,9 @@ std::string error_table(const Ledger& ledger, const std::string& atmosphere) {
     const bool x = a.starts_with("sun "), y = b.starts_with("sun ");
     return x && y && std::stod(a.substr(4)) > std::stod(b.substr(4));
   });
-  std::string text = fmt::format("\n`{}`, error of radiance [%], median and 90th percentile:\n\n| model |", atmosphere),
+  if (conditions.empty()) return {};
+  std::string text = fmt::format("\n`{}`, error of {} [%], median and 90th percentile:\n\n| model |", atmosphere,
+                                 quantity == "radiance" ? quantity : "skylight on level ground"),
               rule = "\n|---|";
   for (const std::string& condition : conditions) {
     text += ' ' + condition + " |";
@@ -63,7 +65,7 @@ std::string error_table(const Ledger& ledger, const std::string& atmosphere) {
     std::string line = "| " + model + " |";
     bool any = false;
     for (const std::string& condition : conditions) {
-      const LedgerRow* row = light_row(ledger, model, atmosphere, condition);
+      const LedgerRow* row = light_row(ledger, model, atmosphere, condition, quantity);
       any = any || row;
       line += row ? fmt::format(" {}, {} |", percent(row->figure.median), percent(row->figure.p90)) : " |";
     }
@@ -90,19 +92,6 @@ std::string worst_table(const Ledger& ledger) {
                         through ? fmt::format("{:.1e}", through->figure.worst) : "");
   }
   return text;
-}
-
-std::string sky_table(const Ledger& ledger) {
-  std::string text, rows;
-  for (const LedgerRow& row : ledger.rows) {
-    if (row.quantity != "sky_irradiance" || row.condition != "all") continue;
-    rows += fmt::format("| {} | {} | {} | {} | {} | {} |\n", row.model, row.atmosphere, percent(row.figure.median),
-                        percent(row.figure.p90), percent(row.figure.worst), row.figure.where);
-  }
-  if (rows.empty()) return {};
-  return "\nSkylight on level ground, suns from 60 degrees up to 12 below the horizon:\n\n"
-         "| model | air | median [%] | 90th percentile [%] | worst [%] | where |\n|---|---|---|---|---|---|\n" +
-         rows;
 }
 
 std::string cost_table(const Ledger& ledger) {
@@ -138,7 +127,7 @@ std::string as_csv(const Ledger& ledger) {
 }
 
 Json as_json(const Ledger& ledger) {
-  Json json{{"wavelengths", ledger.wavelengths}, {"solved", ledger.solved}};
+  Json json{{"wavelengths", ledger.wavelengths}, {"solved", ledger.solved}, {"irradiances", ledger.irradiances}};
   for (const LedgerRow& row : ledger.rows) {
     const Figure& f = row.figure;
     // A number that is none (an answer that was not finite) has no place in JSON.
@@ -169,7 +158,7 @@ Json as_json(const Ledger& ledger) {
 }
 
 Ledger ledger_from(const Json& json) {
-  Ledger ledger{json.at("wavelengths"), json.at("solved"), {}, {}};
+  Ledger ledger{json.at("wavelengths"), json.at("solved"), json.value("irradiances", std::size_t(0)), {}, {}};
   for (const Json& row : json.at("rows"))
     ledger.rows.push_back({row.at("model"),
                            row.at("atmosphere"),
@@ -192,12 +181,13 @@ std::string as_markdown(const Ledger& ledger, const std::string& name) {
   std::string nm;
   for (const double wavelength : ledger.wavelengths) nm += fmt::format("{}{:g}", nm.empty() ? "" : ", ", wavelength);
   std::string text = fmt::format(
-      "Judged by {} rays, {} nm. Every figure under each condition: [{}.csv]({}.csv).\n\n![Error against "
-      "time]({}.svg)\n",
-      ledger.solved, nm, name, name, name);
-  for (const std::string& atmosphere : distinct(ledger.rows, &LedgerRow::atmosphere))
-    text += error_table(ledger, atmosphere);
-  return text + worst_table(ledger) + sky_table(ledger) + cost_table(ledger);
+      "Judged by {} rays and {} irradiances, {} nm. Every figure under each condition: [{}.csv]({}.csv).\n\n![Error "
+      "against time]({}.svg)\n",
+      ledger.solved, ledger.irradiances, nm, name, name, name);
+  const std::vector<std::string> atmospheres = distinct(ledger.rows, &LedgerRow::atmosphere);
+  for (const std::string& atmosphere : atmospheres) text += error_table(ledger, atmosphere, "radiance");
+  for (const std::string& atmosphere : atmospheres) text += error_table(ledger, atmosphere, "sky_irradiance");
+  return text + worst_table(ledger) + cost_table(ledger);
 }
 
 std::string as_svg(const Ledger& ledger) {

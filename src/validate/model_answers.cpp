@@ -63,17 +63,51 @@ double table_bytes(const Model& model, const Situation& situation) {
   return bytes;
 }
 
-/// @param rays  that the model answers
-Cost cost_of(const Model& model, const Atmosphere& atmosphere, const Rays& rays,
-             const std::vector<double>& wavelengths) {
+}  // namespace
+
+ModelAnswers ask_model(const Contestant& contestant, const std::string& atmosphere_name, const Yardstick& yardstick,
+                       std::shared_ptr<Engine> engine) {
+  const Model& model = find_model(contestant.model);
+  const Sky sky(built_in_atmosphere(atmosphere_name), contestant.model, std::move(engine), contestant.parameters);
+  ModelAnswers answers{contestant.name, atmosphere_name, model.colours.has_value(), {}, {}};
+  for (const Quantity quantity : {Quantity::radiance, Quantity::path_radiance, Quantity::sky_irradiance}) {
+    Rays rays;
+    std::vector<std::size_t> places;
+    for (std::size_t i = 0; i < yardstick.rays.size(); ++i) {
+      const YardstickRay& ray = yardstick.rays[i];
+      if (ray.atmosphere != atmosphere_name || ray.quantity != quantity) continue;
+      if (model.colours && !made_for_published(ray)) continue;
+      rays.push_back(ray.ray);
+      places.push_back(i);
+    }
+    if (rays.empty()) continue;
+    auto values = ask(sky, model, quantity, rays, yardstick.wavelengths);
+    auto transmittance = quantity == Quantity::sky_irradiance
+                             ? std::vector<std::vector<double>>(rays.size())
+                             : ask(sky, model, Quantity::transmittance, rays, yardstick.wavelengths);
+    for (std::size_t i = 0; i < rays.size(); ++i)
+      answers.rays.push_back({places[i], std::move(values[i]), std::move(transmittance[i])});
+  }
+  return answers;
+}
+
+Cost cost_of(const Contestant& contestant, const ModelAnswers& answers, const Yardstick& yardstick,
+             std::shared_ptr<Engine> engine) {
   Cost cost;
+  Rays rays;
+  for (const ModelAnswers::Ray& answer : answers.rays) {
+    const YardstickRay& ray = yardstick.rays[answer.place];
+    if (ray.quantity == Quantity::radiance && !answer.value.empty()) rays.push_back(ray.ray);
+  }
   if (rays.empty()) return cost;
-  const Sky sky(atmosphere, model.name, make_engine("simd"));  // an engine of its own: it holds no tables yet
-  const Values parameters = model_parameters(model, {}, "");
+  const Model& model = find_model(contestant.model);
+  const Atmosphere atmosphere = built_in_atmosphere(answers.atmosphere);
+  const Sky sky(atmosphere, contestant.model, std::move(engine), contestant.parameters);
+  const Values parameters = model_parameters(model, contestant.parameters, "");
   cost.tables_bytes =
       table_bytes(model, {atmosphere.planet.ground_radius, atmosphere.planet.top_altitude, 0, &parameters});
-  const std::vector<double> four(wavelengths.begin(),
-                                 wavelengths.begin() + std::ptrdiff_t(std::min<std::size_t>(4, wavelengths.size())));
+  const std::vector<double>& all = yardstick.wavelengths;
+  const std::vector<double> four(all.begin(), all.begin() + std::ptrdiff_t(std::min<std::size_t>(4, all.size())));
   const auto& asked = model.colours ? model.colours->wavelengths : four;
   const auto time = [&](const Rays& some) {
     std::vector<double> values(some.size() * width(model, four.size()));
@@ -94,38 +128,6 @@ Cost cost_of(const Model& model, const Atmosphere& atmosphere, const Rays& rays,
   }
   cost.ray_nanoseconds = 1e9 * best / double(many.size());
   return cost;
-}
-
-}  // namespace
-
-ModelAnswers ask_model(const std::string& name, const std::string& atmosphere_name, const Yardstick& yardstick) {
-  const Model& model = find_model(name);
-  const Atmosphere atmosphere = built_in_atmosphere(atmosphere_name);
-  ModelAnswers answers{name, atmosphere_name, model.colours.has_value(), {}, {}};
-  const Sky sky(atmosphere, name, make_engine("simd"));
-  Rays timed;
-  for (const Quantity quantity : {Quantity::radiance, Quantity::path_radiance, Quantity::sky_irradiance}) {
-    Rays rays;
-    std::vector<std::size_t> places;
-    for (std::size_t i = 0; i < yardstick.rays.size(); ++i) {
-      const YardstickRay& ray = yardstick.rays[i];
-      if (ray.atmosphere != atmosphere_name || ray.quantity != quantity) continue;
-      if (model.colours && !made_for_published(ray)) continue;
-      rays.push_back(ray.ray);
-      places.push_back(i);
-    }
-    if (rays.empty()) continue;
-    auto values = ask(sky, model, quantity, rays, yardstick.wavelengths);
-    auto transmittance = quantity == Quantity::sky_irradiance
-                             ? std::vector<std::vector<double>>(rays.size())
-                             : ask(sky, model, Quantity::transmittance, rays, yardstick.wavelengths);
-    for (std::size_t i = 0; i < rays.size(); ++i) {
-      if (quantity == Quantity::radiance && !values[i].empty()) timed.push_back(rays[i]);
-      answers.rays.push_back({places[i], std::move(values[i]), std::move(transmittance[i])});
-    }
-  }
-  answers.cost = cost_of(model, atmosphere, timed, yardstick.wavelengths);
-  return answers;
 }
 
 Json to_json(const ModelAnswers& answers) {

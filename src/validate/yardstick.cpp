@@ -48,6 +48,33 @@ YardstickRay question(const Json& line) {
   return ray;
 }
 
+/// Adds what has been solved of one file's questions. @param first  so many of them; none: all
+void add_solved(Yardstick& yardstick, const std::string& questions, const std::string& values,
+                std::optional<std::size_t> first) {
+  std::map<std::string, YardstickRay> asked;
+  read_lines(questions, [&](const Json& line) {
+    const auto wavelengths = line.at("wavelengths").get<std::vector<double>>();
+    if (yardstick.wavelengths.empty()) yardstick.wavelengths = wavelengths;
+    if (wavelengths != yardstick.wavelengths || wavelengths.empty())
+      throw InputError("wavelengths: expected those of the first line");
+    asked[line.at("id")] = question(line);
+    return true;
+  });
+  const std::size_t before = yardstick.rays.size();
+  read_lines(values, [&](const Json& line) {
+    if (first && yardstick.rays.size() == before + *first) return false;
+    const std::string id = line.at("id");
+    if (!asked.contains(id)) throw InputError(fmt::format("id = {}: {} has no such line", id, questions));
+    YardstickRay ray = asked[id];
+    line.at("value").get_to(ray.value);
+    line.at("standard_error").get_to(ray.standard_error);
+    if (ray.value.size() != yardstick.wavelengths.size() || ray.standard_error.size() != ray.value.size())
+      throw InputError(fmt::format("expected {} values, one for each wavelength", yardstick.wavelengths.size()));
+    yardstick.rays.push_back(std::move(ray));
+    return true;
+  });
+}
+
 }  // namespace
 
 Ray read_ray(const Json& line) {
@@ -62,27 +89,10 @@ Ray read_ray(const Json& line) {
 
 Yardstick read_yardstick(const std::string& folder, std::optional<std::size_t> first) {
   Yardstick yardstick;
-  std::map<std::string, YardstickRay> asked;
-  read_lines(folder + "/rays.jsonl", [&](const Json& line) {
-    const auto wavelengths = line.at("wavelengths").get<std::vector<double>>();
-    if (yardstick.wavelengths.empty()) yardstick.wavelengths = wavelengths;
-    if (wavelengths != yardstick.wavelengths || wavelengths.empty())
-      throw InputError("wavelengths: expected those of the first line");
-    asked[line.at("id")] = question(line);
-    return true;
-  });
-  read_lines(folder + "/values.jsonl", [&](const Json& line) {
-    if (first && yardstick.rays.size() == *first) return false;
-    const std::string id = line.at("id");
-    if (!asked.contains(id)) throw InputError(fmt::format("id = {}: rays.jsonl has no such ray", id));
-    YardstickRay ray = asked[id];
-    line.at("value").get_to(ray.value);
-    line.at("standard_error").get_to(ray.standard_error);
-    if (ray.value.size() != yardstick.wavelengths.size() || ray.standard_error.size() != ray.value.size())
-      throw InputError(fmt::format("expected {} values, one for each wavelength", yardstick.wavelengths.size()));
-    yardstick.rays.push_back(std::move(ray));
-    return true;
-  });
+  add_solved(yardstick, folder + "/rays.jsonl", folder + "/values.jsonl", first);
+  yardstick.solved = yardstick.rays.size();
+  add_solved(yardstick, folder + "/irradiance_rays.jsonl", folder + "/irradiance_values.jsonl", {});
+  yardstick.irradiances = yardstick.rays.size() - yardstick.solved;
   return yardstick;
 }
 
@@ -92,7 +102,8 @@ Yardstick at_wavelengths(const Yardstick& yardstick, const std::vector<std::size
     for (const std::size_t w : which) some.push_back(values.at(w));
     return some;
   };
-  Yardstick part{chosen(yardstick.wavelengths), yardstick.rays};
+  Yardstick part = yardstick;
+  part.wavelengths = chosen(yardstick.wavelengths);
   for (YardstickRay& ray : part.rays) {
     ray.value = chosen(ray.value);
     ray.standard_error = chosen(ray.standard_error);

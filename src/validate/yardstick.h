@@ -1,4 +1,4 @@
-// The rays of data/yardstick and their light, which models are judged by.
+// The rays of data/yardstick and their light, and what falls on the ground: models are judged by them.
 #pragma once
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
@@ -19,13 +19,14 @@ struct YardstickRay {
 
 struct Yardstick {
   std::vector<double> wavelengths;  ///< [nm] of every ray
-  std::vector<YardstickRay> rays;   ///< those that have been solved, in the order in which they were
+  std::vector<YardstickRay> rays;   ///< those that have been solved, in the order in which they were; then irradiances
+  std::size_t solved = 0, irradiances = 0;  ///< how many of either
 };
 
-/// A line of rays.jsonl.
+/// A line of rays.jsonl or irradiance_rays.jsonl.
 Ray read_ray(const nlohmann::ordered_json& line);
 
-/// Reads rays.jsonl and values.jsonl.
+/// Reads rays.jsonl and values.jsonl, irradiance_rays.jsonl and irradiance_values.jsonl.
 /// @param folder  "data/yardstick"
 /// @param first   so many lines of values.jsonl, which grows at its end; none: all
 /// @throws InputError naming file and line

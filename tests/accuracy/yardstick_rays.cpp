@@ -1,8 +1,11 @@
-// Writes the yardstick's 400 rays, one JSON object a line, in the form that `airlight probe --batch` reads.
+// Writes the yardstick's 400 rays, or with the argument `irradiance` its questions for skylight on level ground, one JSON object a line,
+// in the form that `airlight probe --batch` reads.
 #include <cmath>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 #include <numbers>
+#include <string>
+#include <string_view>
 
 #include "airlight/atmosphere.h"
 
@@ -26,11 +29,36 @@ class Spread {
 
 double rounded(double value) { return std::round(value * 100) / 100; }
 
+using Json = nlohmann::ordered_json;
+constexpr double wavelengths[] = {390, 440, 480, 520, 560, 610, 670, 740};
+constexpr const char* atmospheres[] = {"earth", "earth-hazy", "mars-clear"};
+constexpr double suns[] = {60, 30, 10, 2, -2, -6, -12};  // elevations [degrees]
+
+void write_irradiances() {
+  int id = 0;
+  for (const char* atmosphere : atmospheres)
+    for (const double sun : suns)
+      for (const double altitude : {0.0, 10e3}) {
+        const Json line{{"id", "sky" + std::to_string(id++)},
+                        {"atmosphere", atmosphere},
+                        {"quantity", "sky_irradiance"},
+                        {"altitude", altitude},
+                        {"view_zenith", 0},
+                        {"view_azimuth", 0},
+                        {"sun_zenith", 90 - sun},
+                        {"sun_azimuth", 0},
+                        {"wavelengths", wavelengths}};
+        std::printf("%s\n", line.dump().c_str());
+      }
+}
+
 }  // namespace
 
-int main() {
-  using Json = nlohmann::ordered_json;
-  const double wavelengths[] = {390, 440, 480, 520, 560, 610, 670, 740};
+int main(int count, char** arguments) {
+  if (count > 1 && std::string_view(arguments[1]) == "irradiance") {
+    write_irradiances();
+    return 0;
+  }
   const double lengths[] = {100, 1e3, 1e4, 1e5, 300, 3e3, 3e4};  // of segments [m]
   enum View { up, horizon, down, limb, segment };
   const std::pair<double, std::vector<View>> observers[] = {{0, {up, up, horizon, segment}},
@@ -69,8 +97,8 @@ int main() {
     line["wavelengths"] = wavelengths;
     std::printf("%s\n", line.dump().c_str());
   };
-  for (const char* atmosphere : {"earth", "earth-hazy", "mars-clear"})
-    for (const double sun : {60, 30, 10, 2, -2, -6, -12})
+  for (const char* atmosphere : atmospheres)
+    for (const double sun : suns)
       for (const auto& [altitude, views] : observers)
         for (const View view : views) write(atmosphere, altitude, sun, view);
   write("earth", 0, 60, up);  // the 400th

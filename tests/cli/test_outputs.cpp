@@ -127,6 +127,23 @@ TEST(Outputs, an_interrupt_in_the_middle_is_130_and_leaves_nothing) {
   }
 }
 
+TEST(Outputs, an_interrupt_while_tables_are_made_is_130_at_once_and_keeps_none) {
+  const Folder folder;
+  // Tables of forty wavelengths: a minute on any machine.
+  Program program(folder, {"probe", "--model", "precomputed", "--sun-elevation", "3"},
+                  {.environment = {"AIRLIGHT_CACHE=" + (folder / "cache")}});
+  std::this_thread::sleep_for(700ms);
+  ASSERT_TRUE(program.running());
+  program.signal(SIGINT);
+  const Outcome outcome = program.wait(20);
+  EXPECT_EQ(outcome.code, 130) << outcome.err;
+  // Where nobody heeds it for a second, the program ends on the spot with another message.
+  EXPECT_NE(outcome.err.find("interrupted; nothing was written"), std::string::npos) << outcome.err;
+  if (std::filesystem::exists(folder / "cache"))
+    for (const auto& file : std::filesystem::directory_iterator(folder / "cache"))
+      EXPECT_EQ(file.path().extension(), ".tables") << "half a file: " << file.path();
+}
+
 TEST(Outputs, an_interrupt_while_waiting_for_input_is_130) {
   const Folder folder;
   const std::string pipe = folder / "in.jsonl";

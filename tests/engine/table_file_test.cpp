@@ -6,6 +6,8 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
+#include <csignal>
 #include <random>
 
 #include "airlight/engine.h"
@@ -133,6 +135,47 @@ TEST(TableFile, processes_that_make_the_same_tables_do_not_disturb_each_other) {
     EXPECT_EQ(status, 0);
   }
   EXPECT_EQ(folder.entries(), 1) << "temporary files are left behind";
+}
+
+TEST(TableFile, a_kill_while_writing_leaves_the_whole_file_or_none) {
+  const ScratchFolder folder;
+  const Shape large{128, 128, 4};
+  const std::vector<TableFile::Values> tables{{large, std::vector<double>(4 * large.texels(), 0.5)}};
+  std::mt19937 random(20260621);
+  int whole = 0;
+  for (int i = 0; i < 200; ++i) {
+    const TableFile file{folder / ("kept" + std::to_string(i % 4) + ".tables"), std::uint64_t(i % 4), 4};
+    int ready[2];
+    ASSERT_EQ(pipe(ready), 0);
+    const pid_t child = fork();
+    if (child == 0) {
+      for (;;) {  // over and over, so that the kill meets any stage
+        [[maybe_unused]] const auto told = ::write(ready[1], "", 1);
+        file.write(tables);
+      }
+    }
+    char byte;
+    ASSERT_EQ(::read(ready[0], &byte, 1), 1);
+    usleep(random() % 5000);
+    kill(child, SIGKILL);
+    waitpid(child, nullptr, 0);
+    close(ready[0]);
+    close(ready[1]);
+    std::string trouble;
+    const auto found = file.read(trouble);
+    EXPECT_EQ(trouble, "") << "kill " << i;
+    if (!found) continue;
+    ++whole;
+    EXPECT_EQ(found->at(0).rgba, tables[0].rgba) << "kill " << i;
+  }
+  EXPECT_GT(whole, 0) << "no kill came after a write: nothing was tested";
+  // What the killed have left is removed when nobody can be writing it any more.
+  for (const auto& name : files_in(folder / "")) {
+    if (name.find(".partial-") != std::string::npos)
+      std::filesystem::last_write_time(name, std::filesystem::file_time_type::clock::now() - std::chrono::hours(2));
+  }
+  TableFile{folder / "kept0.tables", 1, 4}.write(tables);
+  for (const auto& name : files_in(folder / "")) EXPECT_EQ(name.find(".partial-"), std::string::npos) << name;
 }
 
 TEST(TableFile, a_folder_that_cannot_be_written_costs_a_message_only) {

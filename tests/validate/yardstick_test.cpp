@@ -24,9 +24,21 @@ TEST(Yardstick, is_read_as_it_is_written) {
   EXPECT_NEAR(found->sun_elevation, 60, 1e-12);
 }
 
+TEST(Yardstick, holds_skylight_on_level_ground) {
+  const Yardstick yardstick = read_yardstick(folder);
+  ASSERT_EQ(yardstick.rays.size(), yardstick.solved + yardstick.irradiances);
+  ASSERT_GT(yardstick.irradiances, 0u);
+  for (std::size_t i = yardstick.solved; i < yardstick.rays.size(); ++i) {
+    const YardstickRay& sky = yardstick.rays[i];
+    EXPECT_EQ(sky.quantity, Quantity::sky_irradiance) << sky.id;
+    EXPECT_GT(sky.value[3], 0) << sky.id;
+  }
+}
+
 TEST(Yardstick, can_be_had_in_part) {
   const Yardstick whole = read_yardstick(folder), part = read_yardstick(folder, 50), few = at_wavelengths(part, {1, 6});
-  ASSERT_EQ(part.rays.size(), 50u);
+  ASSERT_EQ(part.solved, 50u);
+  EXPECT_EQ(part.rays.size(), 50 + part.irradiances) << "skylight is there as a whole";
   EXPECT_EQ(part.rays[49].id, whole.rays[49].id);
   EXPECT_EQ(few.wavelengths, (std::vector{whole.wavelengths[1], whole.wavelengths[6]}));
   EXPECT_EQ(few.rays[7].value, (std::vector{whole.rays[7].value[1], whole.rays[7].value[6]}));

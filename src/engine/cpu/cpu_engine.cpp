@@ -73,16 +73,13 @@ class CpuEngine final : public Engine {
     return table;
   }
 
-  std::vector<std::shared_ptr<void>> run_pass(const PassInfo& pass, std::span<const double> parameters,
-                                              std::span<const Table> inputs, Shape shape) override {
-    std::vector<std::shared_ptr<void>> outputs;
+  std::shared_ptr<void> make_empty(Shape shape) override { return allocate(shape); }
+
+  void run_rows(const PassInfo& pass, std::span<const double> parameters, std::span<const Table> inputs, Shape shape,
+                int begin, int end, std::span<const std::shared_ptr<void>> outputs) override {
     PassArguments arguments{};
-    for (std::size_t i = 0; i < pass.outputs.size(); ++i) {
-      outputs.push_back(allocate(shape));
-      arguments.outputs[i] = outputs.back().get();
-    }
-    sweep(pass, parameters, inputs, shape, 0, shape.height * shape.depth, arguments);
-    return outputs;
+    for (std::size_t i = 0; i < outputs.size(); ++i) arguments.outputs[i] = outputs[i].get();
+    sweep(pass, parameters, inputs, shape, begin, end, arguments);
   }
 
   void draw_rows(const PassInfo& pass, std::span<const double> parameters, std::span<const Table> inputs, Shape shape,

@@ -88,16 +88,26 @@ class GlEngine final : public Engine {
     return std::make_shared<GlTexture>(context_, shape, to_float(rgba));
   }
 
-  std::vector<std::shared_ptr<void>> run_pass(const PassInfo& pass, std::span<const double> parameters,
-                                              std::span<const Table> inputs, Shape shape) override {
+  std::shared_ptr<void> make_empty(Shape shape) override {
+    return std::make_shared<GlTexture>(context_, shape, std::span<const float>());
+  }
+
+  void run_rows(const PassInfo& pass, std::span<const double> parameters, std::span<const Table> inputs, Shape shape,
+                int begin, int end, std::span<const std::shared_ptr<void>> outputs) override {
     const GridShader& shader = shader_of(pass);
-    const auto targets = make_targets(int(pass.outputs.size()), shape);
     const auto tables = bind(pass, inputs);
     const auto block = to_float(parameters);
-    for (int slice = 0; slice < shape.depth; ++slice) {
-      shader.run(block, tables, pointers(targets), {shape, slice * shape.height, slice});
+    std::vector<const GlTexture*> targets;
+    for (const auto& output : outputs) targets.push_back(static_cast<const GlTexture*>(output.get()));
+    for (int slice = begin / shape.height; slice * shape.height < end; ++slice) {
+      const int first = slice * shape.height;
+      shader.run(block, tables, targets,
+                 {shape, first, slice, std::max(begin - first, 0), std::min(end - first, shape.height)});
     }
-    return {targets.begin(), targets.end()};
+    if (end - begin < shape.height * shape.depth) {
+      const HeadlessContext::Current current(*context_);
+      glFinish();
+    }
   }
 
   void draw_rows(const PassInfo& pass, std::span<const double> parameters, std::span<const Table> inputs, Shape shape,

@@ -155,6 +155,7 @@ GridShader::GridShader(std::shared_ptr<HeadlessContext> context, const ShaderTex
   const GLuint block = glGetUniformBlockIndex(program_, "main_Parameters");
   if (block != GL_INVALID_INDEX) glUniformBlockBinding(program_, block, 0);
   place_ = glGetUniformLocation(program_, "main_place");
+  rows_ = glGetUniformLocation(program_, "main_rows");
   check_gl(*context_, "setting up " + subject_);
 }
 
@@ -179,11 +180,13 @@ void GridShader::run(std::span<const float> parameters, std::span<const GlTextur
     glBindTexture(tables[i]->target(), tables[i]->name());
   }
   const Shape size = targets.front()->shape();
+  const int begin = window.begin, end = std::min(window.end, size.height);
   if (context_->api() == GlApi::desktop) {
     for (std::size_t i = 0; i < targets.size(); ++i) {
       glBindImageTexture(GLuint(i), targets[i]->name(), 0, GL_FALSE, window.slice, GL_WRITE_ONLY, GL_RGBA32F);
     }
-    glDispatchCompute(GLuint(size.width + 7) / 8, GLuint(size.height + 7) / 8, 1);
+    glUniform2i(rows_, begin, end);
+    glDispatchCompute(GLuint(size.width + 7) / 8, GLuint(end - begin + 7) / 8, 1);
     glMemoryBarrier(GL_ALL_BARRIER_BITS);
   } else {
     const Framebuffer framebuffer;
@@ -194,7 +197,10 @@ void GridShader::run(std::span<const float> parameters, std::span<const GlTextur
     }
     glDrawBuffers(GLsizei(targets.size()), buffers.data());
     glViewport(0, 0, size.width, size.height);
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(0, begin, size.width, end - begin);
     glDrawArrays(GL_TRIANGLES, 0, 3);
+    glDisable(GL_SCISSOR_TEST);
   }
   glDeleteBuffers(1, &block);
   check_gl(*context_, "running " + subject_);

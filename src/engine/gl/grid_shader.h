@@ -2,6 +2,7 @@
 #pragma once
 #include <epoxy/gl.h>
 
+#include <limits>
 #include <memory>
 #include <span>
 #include <string>
@@ -45,10 +46,11 @@ class GridShader {
 
   struct Window {
     Shape grid;
-    int first_row;  ///< of the window, counted through all slices of the grid
-    int slice;      ///< of the targets that the window is written to
+    int first_row;                                         ///< of the window, counted through all slices of the grid
+    int slice;                                             ///< of the targets that the window is written to
+    int begin = 0, end = std::numeric_limits<int>::max();  ///< rows of the targets that are filled
   };
-  /// Fills one slice of each target.
+  /// Fills one slice of each target, or some of its rows.
   void run(std::span<const float> parameters, std::span<const GlTexture* const> tables,
            std::span<const GlTexture* const> targets, Window window) const;
 
@@ -56,7 +58,7 @@ class GridShader {
   std::shared_ptr<HeadlessContext> context_;
   std::string subject_;
   GLuint program_ = 0;
-  GLint place_ = -1;
+  GLint place_ = -1, rows_ = -1;
 };
 
 /// @throws WorkError where OpenGL reported an error.

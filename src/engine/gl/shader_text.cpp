@@ -55,9 +55,9 @@ void end(ShaderText& shader, GlApi api, const std::string& subject, const std::s
   t += "layout(local_size_x = 8, local_size_y = 8) in;\n";
   for (int i = 0; i < shader.outputs; ++i)
     t += "layout(rgba32f) writeonly uniform image2D " + numbered("main_image", i) + ";\n";
-  t += "void main() {\n  ivec2 main_at = ivec2(gl_GlobalInvocationID.xy);\n"
-       "  ivec2 main_window = imageSize(main_image0);\n"
-       "  if (main_at.x >= main_window.x || main_at.y >= main_window.y) return;\n";
+  t += "uniform ivec2 main_rows;\n"
+       "void main() {\n  ivec2 main_at = ivec2(gl_GlobalInvocationID.xy) + ivec2(0, main_rows.x);\n"
+       "  if (main_at.x >= imageSize(main_image0).x || main_at.y >= main_rows.y) return;\n";
   for (int i = 0; i < shader.outputs; ++i) t += "  vec4 " + numbered("main_out", i) + ";\n";
   t += body;
   for (int i = 0; i < shader.outputs; ++i)
