@@ -42,10 +42,9 @@ void add_validate(CLI::App& app, Command& chosen) {
                   "judge this one, with parameters of its own after a colon; may be repeated (default all)")
       ->allow_extra_args(false)
       ->type_name("NAME[:KEY=VALUE,...]");
-  validate.add_flag(
-      "--measured", options->measured,
-      "compare with measured and published values instead; with --quick without precomputed; random walks "
-      "where --model reference asks for them");
+  validate.add_flag("--measured", options->measured,
+                    "compare with measured and published values instead; with --quick precomputed is asked at fewer "
+                    "wavelengths; random walks where --model reference asks for them");
   validate
       .add_flag("--spectrum", options->spectrum,
                 "colours of 3, 4, 8 and 16 wavelengths against 40 instead, and the best four with their matrix")

@@ -3,6 +3,8 @@
 #include <array>
 #include <cmath>
 
+#include "optics/colour.h"
+
 namespace airlight::validation {
 
 double published_illuminance(double elevation) {
@@ -23,11 +25,16 @@ double published_illuminance(double elevation) {
 
 std::vector<double> illuminance_elevations() { return {60, 40, 20, 10, 5, 2, 0, -2, -4, -6, -8, -10, -12}; }
 
-std::vector<double> illuminances(const LevelIrradiance& irradiance) {
-  const std::vector<double> wavelengths = photometric_wavelengths();
+std::vector<double> illuminances(const LevelIrradiance& irradiance, const std::vector<double>& wavelengths,
+                                 const Atmosphere& air) {
+  const std::vector<Xyz> weights = colour_weights(air, wavelengths);
   std::vector<double> values;
-  for (const double elevation : illuminance_elevations())
-    values.push_back(spectrum_to_xyz(wavelengths, irradiance(elevation, wavelengths))[1]);
+  for (const double elevation : illuminance_elevations()) {
+    const std::vector<double> spectrum = irradiance(elevation, wavelengths);
+    double lux = 0;
+    for (std::size_t w = 0; w < spectrum.size(); ++w) lux += weights[w][1] * spectrum[w];
+    values.push_back(lux);
+  }
   return values;
 }
 

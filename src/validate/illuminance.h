@@ -18,6 +18,8 @@ std::vector<double> illuminance_elevations();
 /// Spectral irradiance of level ground [W m^-2 nm^-1], skylight and sunlight, for one elevation of the sun [degrees].
 using LevelIrradiance = std::function<std::vector<double>(double elevation, const std::vector<double>& wavelengths)>;
 /// [lx], for each of the elevations.
-std::vector<double> illuminances(const LevelIrradiance& irradiance);
+/// @param wavelengths  [nm]; photometric_wavelengths(), or a few, which are weighed as pictures in this air weigh them
+std::vector<double> illuminances(const LevelIrradiance& irradiance, const std::vector<double>& wavelengths,
+                                 const Atmosphere& air);
 
 }  // namespace airlight::validation

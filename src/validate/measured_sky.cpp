@@ -44,6 +44,19 @@ MeasuredSky read_measured_sky(const std::string& path) try {
   throw InputError(path + ": " + error.what());
 }
 
+MeasuredSky at_every(const MeasuredSky& sky, std::size_t stride) {
+  MeasuredSky part = sky;
+  part.wavelengths.clear();
+  for (std::size_t w = 0; w < sky.wavelengths.size(); w += stride) part.wavelengths.push_back(sky.wavelengths[w]);
+  for (MeasuredSky::Scan& scan : part.scans) {
+    const std::vector<double> all = std::move(scan.values);
+    scan.values.clear();
+    for (std::size_t row = 0; row < all.size(); row += sky.wavelengths.size())
+      for (std::size_t w = 0; w < sky.wavelengths.size(); w += stride) scan.values.push_back(all[row + w]);
+  }
+  return part;
+}
+
 Atmosphere air_of_measured_sky() {
   Atmosphere air = built_in_atmosphere("earth");
   air.name = "earth, 27 May 2013 at Ithaca";

@@ -24,6 +24,9 @@ struct MeasuredSky {
 /// @throws InputError naming the file
 MeasuredSky read_measured_sky(const std::string& path);
 
+/// The same at every so many-th of its wavelengths.
+MeasuredSky at_every(const MeasuredSky& sky, std::size_t stride);
+
 /// The air of that day with one mode of aerosol (data/measured/README.md): Earth's molecules and ozone, grass on the ground.
 Atmosphere air_of_measured_sky();
 

@@ -156,7 +156,7 @@ TEST(TableFile, a_kill_while_writing_leaves_the_whole_file_or_none) {
     }
     char byte;
     ASSERT_EQ(::read(ready[0], &byte, 1), 1);
-    usleep(random() % 5000);
+    usleep(unsigned(random() % 5000));
     kill(child, SIGKILL);
     waitpid(child, nullptr, 0);
     close(ready[0]);

