@@ -11,6 +11,7 @@
 #include "interrupt.h"
 #include "model/model.h"
 #include "number.h"
+#include "optics/colour.h"
 #include "options.h"
 #include "progress.h"
 #include "text_output.h"
@@ -84,10 +85,10 @@ void add_measured_sky(Report& report, const ValidateOptions& options, const std:
       "the sun from 44 to 69 degrees high. Correct scalar theory with this air: 12.6 %.\n\n"
       "| model | all [%] | bias [%] | scan by scan [%] |\n|---|---|---|---|\n";
   for (const std::string& name : names) {
-    int scan = 0;
+    int number = 0;
     const auto radiance = [&](std::span<const Ray> rays, const std::vector<double>& wavelengths) {
       const std::string own = name == "reference" ? effort : "";
-      return once(unfinished, fmt::format("measured_sky.{}.{}", name, ++scan), [&] {
+      return once(unfinished, fmt::format("measured_sky.{}.{}", name, ++number), [&] {
         return flat(answerers.answer({"measured", name, &asked("radiance"), wavelengths, 0, own}, rays));
       });
     };

@@ -139,9 +139,10 @@ TEST(Outputs, an_interrupt_while_tables_are_made_is_130_at_once_and_keeps_none) 
   EXPECT_EQ(outcome.code, 130) << outcome.err;
   // Where nobody heeds it for a second, the program ends on the spot with another message.
   EXPECT_NE(outcome.err.find("interrupted; nothing was written"), std::string::npos) << outcome.err;
-  if (std::filesystem::exists(folder / "cache"))
+  if (std::filesystem::exists(folder / "cache")) {
     for (const auto& file : std::filesystem::directory_iterator(folder / "cache"))
       EXPECT_EQ(file.path().extension(), ".tables") << "half a file: " << file.path();
+  }
 }
 
 TEST(Outputs, an_interrupt_while_waiting_for_input_is_130) {
