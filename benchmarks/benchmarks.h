@@ -17,6 +17,8 @@ void published(Report& report, const MachineLimits& limits);
 void tables(Report& report);
 /// Batches of rays on one thread, a ray.
 void rays(Report& report, const MachineLimits& limits);
+/// `precomputed`'s answers to rays, by its kernel alone.
+void precomputed(Report& report);
 /// `airlight sky`, as a whole process.
 void command(Report& report);
 

@@ -17,7 +17,7 @@ std::string processor() {
   return "unknown";
 }
 
-const std::vector<std::string> benchmarks{"march", "tables", "pictures", "published", "rays", "command"};
+const std::vector<std::string> benchmarks{"march", "tables", "pictures", "published", "rays", "precomputed", "command"};
 
 int run(const std::string& json, bool check, const std::vector<std::string>& chosen) {
   Report report(!check);
@@ -33,6 +33,7 @@ int run(const std::string& json, bool check, const std::vector<std::string>& cho
     if (name == "pictures") pictures(report, limits);
     if (name == "published") published(report, limits);
     if (name == "rays") rays(report, limits);
+    if (name == "precomputed") precomputed(report);
     if (name == "command") command(report);
   }
   if (!json.empty()) report.write_json(json);
@@ -51,9 +52,9 @@ int main(int argc, char** argv) {
   std::vector<std::string> chosen;
   app.add_option("--json", json, "write the table there too")->type_name("FILE");
   app.add_flag("--check", check, "only check the answers, at reduced size; nothing is timed");
-  app.add_option(
-         "benchmark", chosen,
-         "march, tables, pictures, published, rays, command (default all); the machine's limits are always measured")
+  app.add_option("benchmark", chosen,
+                 "march, tables, pictures, published, rays, precomputed, command (default all); the machine's limits "
+                 "are always measured")
       ->check(CLI::IsMember(airlight::bench::benchmarks));
   CLI11_PARSE(app, argc, argv);
   try {

@@ -1,30 +1,13 @@
 #include <tbb/global_control.h>
 
-#include <numbers>
-#include <random>
-
 #include "airlight/sky.h"
 #include "benchmarks.h"
 #include "clock.h"
 #include "compare.h"
+#include "ray_batches.h"
 #include "ray_work.h"
 
 namespace airlight::bench {
-namespace {
-
-/// Observers up to 10 km who look anywhere, under any Sun down to 6 degrees below the horizon: neighbours have nothing in common.
-std::vector<Ray> random_rays(std::size_t count) {
-  std::mt19937_64 random(1);
-  const auto between = [&](double low, double high) { return low + (high - low) * double(random() >> 11) * 0x1p-53; };
-  const auto anywhere = [&](double lowest) {
-    return direction(between(0, 2 * std::numbers::pi), std::asin(between(lowest, 1)));
-  };
-  std::vector<Ray> rays;
-  for (std::size_t i = 0; i < count; ++i) rays.push_back({between(0, 1e4), anywhere(-1), anywhere(-0.1)});
-  return rays;
-}
-
-}  // namespace
 
 void rays(Report& report, const MachineLimits& limits) {
   report.section("Batch of random rays, radiance at four wavelengths, tables kept, one thread");

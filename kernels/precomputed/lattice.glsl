@@ -14,7 +14,7 @@ struct Lattice {
   Scalar sectors;    // [1] in 2..32   of a ring, on one side of the Sun's plane, which mirrors the other
   Scalar zeniths;    // [1] in 2..32   zenith angles that light is sent into
   Scalar azimuths;   // [1] in 2..32   azimuths that light is sent into
-  Scalar pad0;       // [1] in 0..1
+  Scalar panels;     // [1] in 3..64   of a ray, as precomputed_march takes them, while the tables are made
   Scalar pad1;       // [1] in 0..1
 };
 
@@ -64,7 +64,7 @@ FN Vec3 precomputed_direction(IN(Lattice) lattice, Float index, Float horizon, O
   return Vec3(across * cos(azimuth), across * sin(azimuth), mu);
 }
 
-/// What the air sends into a direction, per solar irradiance and scattering coefficient [1/sr].
+/// -ln of what the air sends into a direction, per solar irradiance and scattering coefficient [1/sr].
 FN Vec4 precomputed_source_at(IN(Air) air, IN(Lattice) lattice, Table3 source, Float altitude, Float mu, Float mu_s, Float nu) {
   Float across = sqrt(max((1.0 - mu) * (1.0 + mu), 0.0)) * sqrt(max((1.0 - mu_s) * (1.0 + mu_s), 0.0));
   // With the view or the Sun at the zenith azimuth means nothing, and the source does not depend on it.
@@ -76,5 +76,5 @@ FN Vec4 precomputed_source_at(IN(Air) air, IN(Lattice) lattice, Table3 source, F
   Float band = min(floor(height), lattice.altitudes - 2.0);
   Vec4 lower = lookup(source, Vec3(u, (band + zenith) * (1.0 / lattice.altitudes), w));
   Vec4 upper = lookup(source, Vec3(u, (band + 1.0 + zenith) * (1.0 / lattice.altitudes), w));
-  return exp(-mix(lower, upper, height - band));
+  return mix(lower, upper, height - band);
 }

@@ -1,5 +1,5 @@
 #pragma once
-#include "precomputed/scattered.glsl"
+#include "precomputed/march.glsl"
 // Order by order: the light that reaches the lattice's places, what the air and the ground there make of it, and what of that
 // reaches the places next.
 
@@ -64,7 +64,7 @@ FN Vec4 precomputed_first_light_pass(IN(Air) air, IN(Lattice) lattice, Table2 zo
 }
 
 /// Light of the next order that reaches the lattice's places, per solar irradiance [1/sr].
-FN Vec4 precomputed_next_light_pass(IN(Air) air, IN(Lattice) lattice, Table2 zones, Table2 profile, Table3 source, Table2 ground_light, Vec2 uv) {
+FN Vec4 precomputed_next_light_pass(IN(Air) air, IN(Lattice) lattice, Table2 layers, Table2 sunlight, Table3 source, Table2 ground_light, Vec2 uv) {
   Vec3 view = Vec3(Float(0.0), Float(0.0), Float(1.0));
   Float mu_s = Float(0.0);
   Float altitude = precomputed_light_place(air, lattice, uv, view, mu_s);
@@ -73,60 +73,61 @@ FN Vec4 precomputed_next_light_pass(IN(Air) air, IN(Lattice) lattice, Table2 zon
   Bool hits = reach > 1.0;
   Vec4 at = meet_air(air, altitude, view, precomputed_sun_direction(mu_s), Float(1.0e30), reach, whole, hits);
   Vec4 depth = Vec4(0.0);
-  Vec4 light = precomputed_gather(air, lattice, zones, profile, source, at, reach, depth);
+  Vec4 none = Vec4(0.0);
+  Vec4 light = precomputed_march(air, lattice, 0, lattice.panels, layers, sunlight, source, none, none, none, none, at, reach, depth);
   return light + select(hits, precomputed_ground(air, ground_light, at, reach) * exp(-depth), Vec4(0.0));
 }
 
-/// Scattering coefficient of a phase class at an altitude [1/m].
-FN Vec4 precomputed_scattering(IN(Air) air, Table2 zones, Table2 profile, Float altitude, int row) {
-  Vec4 found = Vec4(0.0);
-  int count = int(air.zones);
-  for (int i = 0; i < count; ++i) {
-    Scalar4 zone = fetch_scalar(zones, i, 0);
-    found = select(altitude >= zone.x, lookup_cell(profile, profile_cell(air, zone, altitude), row), found);
-  }
-  return found;
-}
-
-/// -ln of what the air sends into a direction, per solar irradiance and scattering coefficient [1/sr], of light that reaches it.
-FN Vec4 precomputed_source_pass(IN(Air) air, IN(Lattice) lattice, Table2 zones, Table2 profile, Table2 phases, Table2 light, Vec3 uvw) {
-  Float row = floor(uvw.y * lattice.zeniths * lattice.altitudes);
-  Float band = floor((row + 0.5) * (1.0 / lattice.zeniths));
-  Float zenith = (row - band * lattice.zeniths) * (3.14159265358979 / (lattice.zeniths - 1.0));
-  Float azimuth = from_half_texel(uvw.z, lattice.azimuths) * 3.14159265358979;
+/// The part of light from one of the lattice's directions (u), with its mirror image, that the air sends into another (v: azimuth within
+/// zenith angle within altitude) [1]. The same for all Suns and all orders; not yet scaled so that all of it is sent somewhere.
+FN Vec4 precomputed_weights_pass(IN(Air) air, IN(Lattice) lattice, Table2 phases, Table2 layers, Vec2 uv) {
+  Float row = floor(uv.y * lattice.azimuths * lattice.zeniths * lattice.altitudes);
+  Float ring = floor((row + 0.5) * (1.0 / lattice.azimuths));
+  Float band = floor((ring + 0.5) * (1.0 / lattice.zeniths));
+  Float azimuth = (row - ring * lattice.azimuths) * (3.14159265358979 / (lattice.azimuths - 1.0));
+  Float zenith = (ring - band * lattice.zeniths) * (3.14159265358979 / (lattice.zeniths - 1.0));
   Float across = sin(zenith);
   Vec3 sent = Vec3(across * cos(azimuth), across * sin(azimuth), cos(zenith));
   Float altitude = precomputed_altitude(air, lattice, band);
-  Float horizon = mu_horizon(air.ground_radius, altitude);
+  Float solid_angle = Float(0.0);
+  Vec3 view = precomputed_direction(lattice, floor(uv.x * lattice.rings * lattice.sectors), mu_horizon(air.ground_radius, altitude), solid_angle);
+  // Light that comes from where one looks goes the other way: no scattering is "forward".
+  Float x = sqrt(0.5 * one_minus_cos(view, sent));
+  Float mirrored = sqrt(0.5 * one_minus_cos(Vec3(view.x, -view.y, view.z), sent));
+  Float layer = precomputed_layer(air, altitude);
   // Where nothing scatters, as class 0 would.
-  Vec4 share0 = precomputed_scattering(air, zones, profile, altitude, 1) + Vec4(1.0e-25);
-  Vec4 share1 = Vec4(0.0);
-  Vec4 share2 = Vec4(0.0);
-  Vec4 share3 = Vec4(0.0);
-  if (air.classes > 1.5) share1 = precomputed_scattering(air, zones, profile, altitude, 2);
-  if (air.classes > 2.5) share2 = precomputed_scattering(air, zones, profile, altitude, 3);
-  if (air.classes > 3.5) share3 = precomputed_scattering(air, zones, profile, altitude, 4);
-  Vec4 whole = Vec4(1.0) / (share0 + share1 + share2 + share3);
-  share0 = share0 * whole;
-  share1 = share1 * whole;
-  share2 = share2 * whole;
-  share3 = share3 * whole;
+  Vec4 share = lookup_row(layers, layer, 1) + Vec4(1.0e-25);
+  Vec4 all = share;
+  Vec4 weight = share * (lookup_row(phases, x, 0) + lookup_row(phases, mirrored, 0));
+  if (air.classes > 1.5) {
+    share = lookup_row(layers, layer, 2);
+    all = all + share;
+    weight = weight + share * (lookup_row(phases, x, 1) + lookup_row(phases, mirrored, 1));
+  }
+  if (air.classes > 2.5) {
+    share = lookup_row(layers, layer, 3);
+    all = all + share;
+    weight = weight + share * (lookup_row(phases, x, 2) + lookup_row(phases, mirrored, 2));
+  }
+  if (air.classes > 3.5) {
+    share = lookup_row(layers, layer, 4);
+    all = all + share;
+    weight = weight + share * (lookup_row(phases, x, 3) + lookup_row(phases, mirrored, 3));
+  }
+  return weight / all * solid_angle;
+}
+
+/// -ln of what the air sends into a direction, per solar irradiance and scattering coefficient [1/sr], of light that reaches it.
+FN Vec4 precomputed_source_pass(IN(Lattice) lattice, Table2 weights, Table2 light, Vec3 uvw) {
+  Float ring = floor(uvw.y * lattice.zeniths * lattice.altitudes);
+  Float row = ring * lattice.azimuths + floor(uvw.z * lattice.azimuths);
+  Float first = floor((ring + 0.5) * (1.0 / lattice.zeniths)) * (lattice.rings * lattice.sectors);
   Float column = floor(uvw.x * lattice.suns);
-  Float first = band * (lattice.rings * lattice.sectors);
   int count = int(lattice.rings * lattice.sectors);
   Vec4 sum = Vec4(0.0);
   Vec4 sum_of_weights = Vec4(0.0);
   for (int i = 0; i < count; ++i) {
-    Float solid_angle = Float(0.0);
-    Vec3 view = precomputed_direction(lattice, Float(i), horizon, solid_angle);
-    // Light that comes from where one looks goes the other way: no scattering is "forward".
-    Float x = sqrt(0.5 * one_minus_cos(view, sent));
-    Float mirrored = sqrt(0.5 * one_minus_cos(Vec3(view.x, -view.y, view.z), sent));
-    Vec4 weight = share0 * (lookup_row(phases, x, 0) + lookup_row(phases, mirrored, 0));
-    if (air.classes > 1.5) weight = weight + share1 * (lookup_row(phases, x, 1) + lookup_row(phases, mirrored, 1));
-    if (air.classes > 2.5) weight = weight + share2 * (lookup_row(phases, x, 2) + lookup_row(phases, mirrored, 2));
-    if (air.classes > 3.5) weight = weight + share3 * (lookup_row(phases, x, 3) + lookup_row(phases, mirrored, 3));
-    weight = weight * solid_angle;
+    Vec4 weight = fetch(weights, Float(i), row);
     sum = sum + weight * fetch(light, column, first + Float(i));
     sum_of_weights = sum_of_weights + weight;
   }

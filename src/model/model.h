@@ -62,8 +62,9 @@ struct Model {
   std::string_view name;
   std::string_view summary;
   BakeOptions air;
-  std::vector<TablePass> tables;  ///< every table that its passes may name, besides the baked air
-  std::string_view rays;          ///< answers radiance, transmittance, ground radiance for rays
+  std::vector<TablePass> tables;        ///< every table that its passes may name, besides the baked air
+  std::string_view rays;                ///< answers radiance, transmittance, ground radiance for rays
+  std::string_view transmittance = {};  ///< answers it instead, so that `rays` has two answers; empty: there is none
   std::string_view sky_light;  ///< light from 256 directions (u) for observers (v): what sky irradiance is summed from
   std::function<std::string_view(const Situation&)> picture;  ///< the pass that draws a picture, for an observer
   std::function<std::string_view(const Situation&)>

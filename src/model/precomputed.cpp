@@ -24,10 +24,16 @@ Shape shape_of_light(const Sizes& s) { return {s.suns, s.altitudes * s.rings * s
 Shape shape_of_source(const Sizes& s) { return {s.suns, s.altitudes * s.zeniths, s.azimuths}; }
 
 Fields fields(std::string_view argument, const Situation& situation) {
+  if (argument == "march") return {{"panels", {situation.parameters ? situation.parameters->number("panels") : 8.0}}};
   if (argument != "lattice") return {};
   const Sizes s = sizes(situation);
-  return {{"suns", {double(s.suns)}},       {"altitudes", {double(s.altitudes)}}, {"rings", {double(s.rings)}},
-          {"sectors", {double(s.sectors)}}, {"zeniths", {double(s.zeniths)}},     {"azimuths", {double(s.azimuths)}}};
+  return {{"suns", {double(s.suns)}},
+          {"altitudes", {double(s.altitudes)}},
+          {"rings", {double(s.rings)}},
+          {"sectors", {double(s.sectors)}},
+          {"zeniths", {double(s.zeniths)}},
+          {"azimuths", {double(s.azimuths)}},
+          {"panels", {8}}};
 }
 
 }  // namespace
@@ -41,11 +47,17 @@ Model precomputed_model() {
       .air = {.zones = 44, .substeps = 1},
       .tables = {{"core.optical_depth", {512, 128}},
                  {"core.sunlight", {512, 128}},
+                 {"precomputed.layers", {512, 5}},
                  sized("precomputed.peaks",
                        [](const Sizes& s) {
                          return Shape{s.suns, s.altitudes};
+                       }),
+                 sized("precomputed.weights",
+                       [](const Sizes& s) {
+                         return Shape{s.rings * s.sectors, s.altitudes * s.zeniths * s.azimuths};
                        })},
       .rays = "precomputed.rays",
+      .transmittance = "precomputed.transmittance",
       .sky_light = "precomputed.sky_light",
       .picture = [](const Situation&) -> std::string_view { return "precomputed.picture"; },
       .haze = [](const Situation&) -> std::string_view { return ""; },
@@ -64,7 +76,13 @@ Model precomputed_model() {
                       .kind = ParameterInfo::Kind::word,
                       .text = "of the tables: draft answers at once, with a few percent of error",
                       .words = {"full", "draft"},
-                      .otherwise = "full"}},
+                      .otherwise = "full"},
+                     {.name = "panels",
+                      .kind = ParameterInfo::Kind::whole,
+                      .text = "of a ray, with three points each: fewer are faster, more see thin layers",
+                      .low = 3,
+                      .high = 64,
+                      .otherwise = std::vector<double>{8}}},
   };
 }
 

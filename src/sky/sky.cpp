@@ -72,13 +72,14 @@ void Sky::Impl::answer(Quantity quantity, std::span<const Ray> rays, std::span<c
       b.set("sky_light", b.run(m.sky_light, {256, height, 1})[0]);
       answers = b.run("core.sky_irradiance", shape);
     } else {
-      answers = b.run(quantity == Quantity::sun_irradiance ? m.sun : m.rays, shape);
+      const bool alone = quantity == Quantity::transmittance && !m.transmittance.empty();
+      answers = b.run(quantity == Quantity::sun_irradiance ? m.sun : alone ? m.transmittance : m.rays, shape);
     }
-    // rays: path radiance, transmittance, ground
-    const std::size_t part = quantity == Quantity::transmittance ? 1 : 0;
+    // rays: path radiance, transmittance unless a pass of its own answers it, ground
+    const std::size_t part = quantity == Quantity::transmittance && m.transmittance.empty() ? 1 : 0;
     engine->read(answers[part], texels);
     if (quantity == Quantity::radiance) {
-      engine->read(answers[2], more);
+      engine->read(answers[m.transmittance.empty() ? 2 : 1], more);
       for (std::size_t i = 0; i < texels.size(); ++i) texels[i] += more[i];
     }
     for (std::size_t i = 0; i < which.size(); ++i) {

@@ -67,6 +67,28 @@ TEST(Precomputed, a_segment_and_the_rest_of_its_ray_are_the_whole) {
   }
 }
 
+TEST(Precomputed, few_panels_of_a_ray_tell_nearly_what_many_do) {
+  const Atmosphere hazy = built_in_atmosphere("earth-hazy");
+  const auto engine = make_engine("simd");
+  const auto sky = [&](double panels) {
+    return Sky(hazy, "precomputed", engine, {{"detail", "draft"}, {"panels", std::vector<double>{panels}}});
+  };
+  std::vector<Ray> rays;
+  for (const double sun : {60.0, 10.0, -3.0}) {
+    for (const double view : {90.0, 20.0, 1.0, 0.0}) rays.push_back({2, toward(100, view), toward(0, sun)});
+    for (const double view : {-1.0, -10.0, -90.0}) rays.push_back({10e3, toward(100, view), toward(0, sun)});
+    rays.push_back({2, toward(100, 0.5), toward(0, sun), 100});
+  }
+  const auto few = ask(sky(8), rays), many = ask(sky(64), rays);
+  // What docs/models/precomputed.md says of 8: 0.4 % in the median, 3 % where a ray passes into dusk.
+  double sum = 0;
+  for (std::size_t i = 0; i < few.size(); ++i) {
+    EXPECT_NEAR(few[i] / many[i], 1, 0.04) << "ray " << i / wavelengths.size() << ", value " << i % wavelengths.size();
+    sum += std::abs(few[i] / many[i] - 1);
+  }
+  EXPECT_LT(sum / double(few.size()), 0.008);
+}
+
 TEST(Precomputed, both_sides_of_the_suns_plane_are_alike) {
   const Sky sky = sky_over(built_in_atmosphere("earth"));
   std::vector<Ray> left, right;
