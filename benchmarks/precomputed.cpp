@@ -6,6 +6,7 @@
 #include "benchmarks.h"
 #include "clock.h"
 #include "compare.h"
+#include "optics/colour.h"
 #include "ray_batches.h"
 #include "sky/binder.h"
 
