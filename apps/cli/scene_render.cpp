@@ -165,8 +165,8 @@ void ScenePictureOptions::apply(Scene& scene) const {
   check_model_name(scene.picture.model, "--model", model_names());
   for (const auto& [name, value] : own.parameters())
     scene.parameters[scene.picture.model].insert_or_assign(name, value);
-  if (const auto own = scene.parameters.find(scene.picture.model); own != scene.parameters.end())
-    read_pictures(scene.picture.model, own->second);
+  if (const auto given = scene.parameters.find(scene.picture.model); given != scene.parameters.end())
+    read_pictures(scene.picture.model, given->second);
   if (accumulate) cli::accumulate(scene, *accumulate);
 }
 

@@ -229,7 +229,7 @@ struct SceneRenderer::Impl {
   // Row by row: a picture's rays at once would be as large as its samples.
   std::vector<char> sky_pixels() const {
     const int height = view.camera.camera.height;
-    std::vector<char> sky;
+    std::vector<char> open;
     std::vector<SceneRay> rays;
     std::vector<TerrainHit> hits;
     for (int y = 0; y < height; ++y) {
@@ -237,15 +237,15 @@ struct SceneRenderer::Impl {
       for (int x = 0; x < width; ++x) {
         const std::optional<Direction> seen = look((x + 0.5) / width, (y + 0.5) / height);
         rays.push_back({eye, view.camera.to_scene(seen.value_or(Direction{0, 0, 1}))});
-        sky.push_back(seen.has_value());
+        open.push_back(seen.has_value());
       }
       hits.resize(rays.size());
       terrain.hits(rays, hits);
       for (std::size_t x = 0; x < hits.size(); ++x) {
-        if (hits[x].hit()) sky[std::size_t(y) * hits.size() + x] = 0;
+        if (hits[x].hit()) open[std::size_t(y) * hits.size() + x] = 0;
       }
     }
-    return sky;
+    return open;
   }
 
   // What the samples' lines of sight meet, and all its light.
@@ -545,8 +545,8 @@ struct SceneRenderer::Impl {
         out.spectral_inscatter[4 * p + k] = float(inscatter[k] * scale);
       }
       put(out.sky_irradiance, p, rgb(skylight.data()), of_hits);
-      const auto colours = rgb(reflected.data());
-      put(out.albedo, p, {colours[0] / white[0], colours[1] / white[1], colours[2] / white[2]}, of_hits);
+      const auto sent = rgb(reflected.data());
+      put(out.albedo, p, {sent[0] / white[0], sent[1] / white[1], sent[2] / white[2]}, of_hits);
       put(out.position, p, position, of_hits);
       put(out.normal, p, hits > 0 ? unit(normal) : Direction{}, 1);
       out.depth[p] = 2 * hits >= double(per_pixel) ? float(distance * of_hits) : std::numeric_limits<float>::infinity();
