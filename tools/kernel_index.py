@@ -405,9 +405,19 @@ def wrappers(k, group):
             lines += eval_entry(k, f)
             evals.append("eval_" + f.kernel_name)
     # An array has at least one element, so each list ends with a null.
-    lines.append("static " + array("EvalEntry evals", evals + ["nullptr"]))
-    lines.append("static " + array("PassEntry passes", passes + ["nullptr"]))
-    return "\n".join(lines) + "\n"
+    lines.append("static " + array(f"EvalEntry evals_{group}", evals + ["nullptr"]))
+    lines.append("static " + array(f"PassEntry passes_{group}", passes + ["nullptr"]))
+    return "\n".join(lines) + "\n" + groups_macro([group])
+
+
+def groups_macro(groups):
+    """Tells the unit that includes it which groups it holds."""
+    return "#undef AIRLIGHT_GROUPS\n#define AIRLIGHT_GROUPS(X) " + " ".join(f"X({g})" for g in groups) + "\n"
+
+
+def every_group(k):
+    """All groups in one translation unit: less to compile where the number type is costly and nobody waits for speed."""
+    return "".join(f'#include "{g}.inc"\n' for g in k.groups) + groups_macro(k.groups)
 
 
 def write(path, text):
@@ -424,6 +434,7 @@ def main():
         write(out / "kernel_index.cpp", index(kernels))
         for group in kernels.groups:
             write(out / f"{group}.inc", wrappers(kernels, group))
+        write(out / "every_group.inc", every_group(kernels))
     except Fail as error:
         print(error, file=sys.stderr)
         return 1

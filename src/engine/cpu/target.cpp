@@ -1,6 +1,6 @@
-// Compiled once per target and group of kernels, with
-//   -DAIRLIGHT_TARGET=<group>_<set>  -DAIRLIGHT_REP=<number type>  -DAIRLIGHT_GROUP="<group>.inc"
-// and that target's machine flags. Nothing outside the namespace may be defined but the one constant table at the end.
+// Compiled once per target and group of kernels (or "every_group.inc" at once), with
+//   -DAIRLIGHT_SET=<set>  -DAIRLIGHT_TARGET=<group>_<set>  -DAIRLIGHT_REP=<number type>  -DAIRLIGHT_GROUP="<group>.inc"
+// and that target's machine flags. Nothing outside the namespace may be defined but one constant table a group, at the end.
 #include "engine/cpu/target.h"
 
 #include "prelude/prelude.hpp"
@@ -109,8 +109,11 @@ static void for_each_texel(const PassArguments& a, const Shade& shade) {
 
 #define AIRLIGHT_JOIN2(a, b) a##b
 #define AIRLIGHT_JOIN(a, b) AIRLIGHT_JOIN2(a, b)
+#define AIRLIGHT_EXPORT(group)                                                                   \
+  extern const KernelTarget AIRLIGHT_JOIN(target_##group##_, AIRLIGHT_SET);                      \
+  constinit const KernelTarget AIRLIGHT_JOIN(target_##group##_, AIRLIGHT_SET) = {                \
+      AIRLIGHT_TARGET::lanes, sizeof(AIRLIGHT_TARGET::Element), AIRLIGHT_TARGET::passes_##group, \
+      AIRLIGHT_TARGET::evals_##group};
 namespace airlight {
-extern const KernelTarget AIRLIGHT_JOIN(target_, AIRLIGHT_TARGET);
-constinit const KernelTarget AIRLIGHT_JOIN(target_, AIRLIGHT_TARGET) = {
-    AIRLIGHT_TARGET::lanes, sizeof(AIRLIGHT_TARGET::Element), AIRLIGHT_TARGET::passes, AIRLIGHT_TARGET::evals};
+AIRLIGHT_GROUPS(AIRLIGHT_EXPORT)
 }  // namespace airlight
