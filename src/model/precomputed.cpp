@@ -24,7 +24,7 @@ Shape shape_of_light(const Sizes& s) { return {s.suns, s.altitudes * s.rings * s
 Shape shape_of_source(const Sizes& s) { return {s.suns, s.altitudes * s.zeniths, s.azimuths}; }
 
 Fields fields(std::string_view argument, const Situation& situation) {
-  if (argument == "march") return {{"panels", {situation.parameters ? situation.parameters->number("panels") : 12.0}}};
+  if (argument == "march") return {{"panels", {situation.parameters ? situation.parameters->number("panels") : 16.0}}};
   if (argument != "lattice") return {};
   const Sizes s = sizes(situation);
   return {{"suns", {double(s.suns)}},
@@ -82,7 +82,7 @@ Model precomputed_model() {
                       .text = "of a ray, with three points each: fewer are faster, more see thin layers",
                       .low = 3,
                       .high = 64,
-                      .otherwise = std::vector<double>{12}}},
+                      .otherwise = std::vector<double>{16}}},
   };
 }
 

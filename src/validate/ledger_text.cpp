@@ -13,7 +13,7 @@ using Json = nlohmann::ordered_json;
 
 std::string quoted(const std::string& text) { return '"' + text + '"'; }
 
-/// "0.43", "5.1", "120": two digits, never more than the yardstick is worth.
+/// "0.43", "5.1", "120": two digits, never more than the yardstick is worth; beyond a factor of eleven only that it is so.
 std::string percent(double part) {
   const double value = 100 * part;
   if (!std::isfinite(value)) return "none";
@@ -21,6 +21,7 @@ std::string percent(double part) {
   if (std::abs(value) < 0.1) return fmt::format("{:.1g}", value);
   if (std::abs(value) < 1) return fmt::format("{:.2f}", value);
   if (std::abs(value) < 10) return fmt::format("{:.1f}", value);
+  if (std::abs(value) > 1000) return value > 0 ? "> 1000" : "< -1000";
   return fmt::format("{:.0f}", value);
 }
 

@@ -79,8 +79,8 @@ TEST(Precomputed, few_panels_of_a_ray_tell_nearly_what_many_do) {
     for (const double view : {-1.0, -10.0, -90.0}) rays.push_back({10e3, toward(100, view), toward(0, sun)});
     rays.push_back({2, toward(100, 0.5), toward(0, sun), 100});
   }
-  const auto few = ask(sky(12), rays), many = ask(sky(64), rays);
-  // docs/models/precomputed.md: 12 panels cost some tenths of a percent, and more where a ray passes into dusk.
+  const auto few = ask(sky(16), rays), many = ask(sky(64), rays);
+  // docs/models/precomputed.md: 16 panels cost some tenths of a percent, and more where a ray passes into dusk.
   double sum = 0;
   for (std::size_t i = 0; i < few.size(); ++i) {
     EXPECT_NEAR(few[i] / many[i], 1, 0.04) << "ray " << i / wavelengths.size() << ", value " << i % wavelengths.size();
