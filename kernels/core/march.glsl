@@ -151,6 +151,21 @@ FN Vec4 gauss_weight(int node, Vec4 depth, Vec4 extinction0, Vec4 extinction1, F
   return through;
 }
 
+/// The stretch of a ray that no sunlight reaches, as paths from its start [m]; empty: begin >= end.
+/// @param altitude [m] in 0..1e5
+/// @param mu [1] in -1..1
+/// @param mu_s [1] in -1..1   cosine of the Sun's zenith angle at the start
+/// @param nu [1] in -1..1     cosine of the angle between ray and Sun
+/// @param begin [m]
+/// @param end [m]
+/// @bound 1 scale 1e30   as planet_shadow
+FN void umbra_along(IN(Air) air, Float altitude, Float mu, Float mu_s, Float nu, OUT(Float) begin, OUT(Float) end) {
+  // A smaller planet casts the shadow: what remains outside includes all of the penumbra, which the disc throws into the air.
+  Scalar penumbra = air.sun_radius * sqrt(2.0 * air.top_altitude * (air.ground_radius + air.top_altitude));
+  Scalar shadow_radius = max(air.ground_radius - penumbra, 0.5 * air.ground_radius);
+  planet_shadow(shadow_radius, altitude + (air.ground_radius - shadow_radius), mu, mu_s, nu, begin, end);
+}
+
 /// Light gathered along a ray: for each phase class the integral of scattering x sunlight x transmittance (to be multiplied by
 /// its phase function and the solar irradiance), the light scattered more than once (orders > 1; else `multiple` is not read),
 /// and the optical depth of the whole path. `at` is where the ray meets the air, as meet_air says.
@@ -169,10 +184,7 @@ FN_SHARED void gather_light(IN(Air) air, int orders, Table2 zones, Table2 profil
   Float radius = air.ground_radius + altitude;
   Float dark = Float(0.0);
   Float light_again = Float(0.0);
-  // A smaller planet casts the shadow: what remains outside includes all of the penumbra, which the disc throws into the air.
-  Scalar penumbra = air.sun_radius * sqrt(2.0 * air.top_altitude * (air.ground_radius + air.top_altitude));
-  Scalar shadow_radius = max(air.ground_radius - penumbra, 0.5 * air.ground_radius);
-  planet_shadow(shadow_radius, altitude + (air.ground_radius - shadow_radius), mu, mu_s, nu, dark, light_again);
+  umbra_along(air, altitude, mu, mu_s, nu, dark, light_again);
   int steps = 2 * int(air.zones);
   int substeps = int(air.substeps);
   for (int step = 0; step < steps; ++step) {

@@ -112,10 +112,7 @@ FN_SHARED Vec4 precomputed_march(IN(Air) air, IN(Lattice) lattice, int first, Sc
   Float dark = reach;
   Float light_again = reach;
   if (first > 0) {
-    // A smaller planet casts the shadow: what remains outside includes all of the penumbra, which the disc throws into the air.
-    Scalar penumbra = air.sun_radius * sqrt(2.0 * air.top_altitude * (air.ground_radius + air.top_altitude));
-    Scalar shadow_radius = max(air.ground_radius - penumbra, 0.5 * air.ground_radius);
-    planet_shadow(shadow_radius, at.x + (air.ground_radius - shadow_radius), at.y, at.z, at.w, dark, light_again);
+    umbra_along(air, at.x, at.y, at.z, at.w, dark, light_again);
     dark = clamp(dark, 0.0, reach);
     light_again = clamp(light_again, dark, reach);
   }

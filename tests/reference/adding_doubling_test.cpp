@@ -197,7 +197,7 @@ TEST(AddingDoubling, thin_air_is_single_scattering) {
     flat.planet.albedo = up ? 0.0 : 0.3;  // what bright ground sends into the sky is light of the second order
     const Direction view = towards(elevation, azimuth);
     const RayLight light =
-        SingleScattering(flat, point_sun).along({up ? 0 : 2e3, view, sun}, std::span(&wavelength, 1));
+        SingleScattering(flat, by_point_sun).along({up ? 0 : 2e3, view, sun}, std::span(&wavelength, 1));
     const AddingDoubling solver({{layer(depth, 0.8, haze)}, up ? 0 : 0.3});
     // Of the light scattered once, a share of some depths is scattered again.
     EXPECT_NEAR(solver.radiance(up ? Level::ground : Level::space, {&view, 1}, sun)[0] /

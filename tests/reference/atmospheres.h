@@ -10,7 +10,7 @@ namespace airlight::reference {
 
 inline constexpr double degree = std::numbers::pi / 180;
 inline constexpr double wavelength = 550;  // any: these spectra are constant
-inline constexpr SingleScatteringSettings point_sun{.point_sun = true};
+inline constexpr SingleScatteringSettings by_point_sun{.point_sun = true};
 
 inline Direction towards(double elevation_deg, double azimuth_deg = 0) {
   const double e = elevation_deg * degree, a = azimuth_deg * degree;

@@ -22,8 +22,9 @@ TEST(SingleScattering, of_a_uniform_slab_is_the_closed_form) {
       const double down = factor * mu_s / (mu_s - mu) * (std::exp(-tau / mu_s) - std::exp(-tau / mu));
       const double up = factor * mu_s / (mu_s + mu) * (1 - std::exp(-tau / mu - tau / mu_s));
       const Direction s = towards(sun, 130);
-      EXPECT_NEAR(path_radiance(a, {.view = towards(view), .sun = s}, point_sun) / down, 1, 1e-6) << sun << " " << view;
-      EXPECT_NEAR(path_radiance(a, {.altitude = 1000, .view = towards(-view), .sun = s}, point_sun) / up, 1, 1e-6)
+      EXPECT_NEAR(path_radiance(a, {.view = towards(view), .sun = s}, by_point_sun) / down, 1, 1e-6)
+          << sun << " " << view;
+      EXPECT_NEAR(path_radiance(a, {.altitude = 1000, .view = towards(-view), .sun = s}, by_point_sun) / up, 1, 1e-6)
           << sun << " " << view;
     }
 }
@@ -43,13 +44,13 @@ TEST(SingleScattering, of_thin_air_counts_the_lit_length) {
     const double shadow = 6.371e6 * (1 / std::cos(5 * degree) - 1);
     const Ray up{.view = towards(90), .sun = towards(-5)};
     EXPECT_NEAR(
-        path_radiance(a, up, point_sun) / (2.0 * phase(law, 1 - std::cos(95 * degree)) * sigma * (100e3 - shadow)), 1,
-        1e-6);
+        path_radiance(a, up, by_point_sun) / (2.0 * phase(law, 1 - std::cos(95 * degree)) * sigma * (100e3 - shadow)),
+        1, 1e-6);
     Ray below = up;
     below.distance = shadow - 1;
-    EXPECT_EQ(path_radiance(a, below, point_sun), 0);
+    EXPECT_EQ(path_radiance(a, below, by_point_sun), 0);
     below.distance = shadow + 1;
-    EXPECT_GT(path_radiance(a, below, point_sun), 0);
+    EXPECT_GT(path_radiance(a, below, by_point_sun), 0);
   }
 }
 
@@ -161,7 +162,7 @@ TEST(SingleScattering, agrees_with_a_brute_force_sum) {
   };
   for (const Ray& ray : cases)
     // Midpoints: an error of (step / scale height)^2 / 24 a step, and the terminator within one step of 3000.
-    EXPECT_NEAR(path_radiance(mixture(), ray, point_sun) / brute_force(mixture(), ray, ray.distance), 1, 1e-3)
+    EXPECT_NEAR(path_radiance(mixture(), ray, by_point_sun) / brute_force(mixture(), ray, ray.distance), 1, 1e-3)
         << ray.altitude;
 }
 

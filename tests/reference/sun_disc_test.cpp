@@ -67,7 +67,7 @@ TEST(SunDisc, cut_by_a_high_observers_horizon_gives_what_rows_add_up_to) {
 // The disc's mean as a sum over rings and sectors of point suns: nothing of the one-dimensional integral is used.
 // Exponents 0 and 2 make the ring integral a polynomial's.
 TEST(SunDisc, mean_transmittance_is_that_of_a_sum_over_the_disc) {
-  const SingleScattering point(air(0), point_sun);
+  const SingleScattering point(air(0), by_point_sun);
   const GaussRule rings(8);
   const double s = std::sin(0.004675);
   for (const double elevation : {90.0, 89.9, 45.0, 10.0, 2.0, 0.5}) {
@@ -93,7 +93,7 @@ TEST(SunDisc, mean_transmittance_is_that_of_a_sum_over_the_disc) {
 TEST(SunDisc, tends_to_a_point_sun) {
   for (const Ray& ray :
        {Ray{.view = towards(20, 40), .sun = towards(3)}, Ray{.view = towards(60, 40), .sun = towards(-4)}}) {
-    const double point = path_radiance(air(0.5), ray, point_sun);
+    const double point = path_radiance(air(0.5), ray, by_point_sun);
     const double wide = std::abs(path_radiance(air(0.5, 0.004), ray) / point - 1);
     const double narrow = std::abs(path_radiance(air(0.5, 0.0004), ray) / point - 1);
     EXPECT_LT(narrow, wide / 50);
@@ -105,12 +105,12 @@ TEST(SunDisc, tends_to_a_point_sun) {
 TEST(SunDisc, sunlight_on_the_ground_is_dimmed_like_the_view_to_the_sun) {
   for (const double elevation : {90.0, 20.0, 1.0}) {
     const Ray ray{.view = towards(elevation), .sun = towards(elevation)};
-    EXPECT_NEAR(sun_irradiance(air(0), ray, point_sun), 2 * transmittance(air(0), ray), 1e-10);
+    EXPECT_NEAR(sun_irradiance(air(0), ray, by_point_sun), 2 * transmittance(air(0), ray), 1e-10);
   }
   // From orbit, past the limb at 15 km.
   const double elevation = -std::acos((6.371e6 + 15e3) / (6.371e6 + 400e3)) / degree;
   const Ray ray{.altitude = 400e3, .view = towards(elevation), .sun = towards(elevation)};
-  EXPECT_NEAR(sun_irradiance(air(0), ray, point_sun), 2 * transmittance(air(0), ray), 1e-10);
+  EXPECT_NEAR(sun_irradiance(air(0), ray, by_point_sun), 2 * transmittance(air(0), ray), 1e-10);
 }
 
 }  // namespace
