@@ -13,13 +13,19 @@ namespace {
 // called in one have no branches.
 constexpr int lanes = 16;
 
+struct Ridge {
+  Slope slope;
+  float lost2;  ///< the slope's square that rounding takes away: all of it on the crest, next to nothing beside
+};
+
 /// Ridges where noise changes its sign, in [0, 1], with rounded crests.
-AIRLIGHT_INLINE Slope ridge(float x, float y, std::uint32_t seed) {
+AIRLIGHT_INLINE Ridge ridge(float x, float y, std::uint32_t seed) {
   constexpr float rounding = 0.07f;
   const Slope n = noise(x, y, seed);
   const float distance = std::sqrt(n.height * n.height + rounding * rounding);
   const float sign = n.height / distance;
-  return {1 - distance + rounding, -sign * n.x, -sign * n.y};
+  return {{1 - distance + rounding, -sign * n.x, -sign * n.y},
+          (1 - sign * sign) * (1 - sign * sign) * (n.x * n.x + n.y * n.y)};
 }
 
 /// Ribs and gullies that run down a slope, for all lanes: waves whose crests follow the fall line, a patch of them round each of
@@ -63,14 +69,14 @@ float resolved(double wavelength, double cell) {
 AIRLIGHT_EVERY_PROCESSOR
 void relief_lanes(const ReliefSettings& settings, double cell, float* x, float* y, float* height) {
   const std::uint32_t seed = settings.seed * 0x68E31DA4u;
-  float slope_x[lanes], slope_y[lanes], on_ridge[lanes];
+  float slope_x[lanes], slope_y[lanes], on_ridge[lanes], crest2[lanes];
 
   // Ranges are bent: noise moves the place that noise is asked at.
   for (int l = 0; l < lanes; ++l) {
     const float bend_x = noise(0.7f * x[l], 0.7f * y[l], seed + 1).height;
     const float bend_y = noise(0.7f * x[l], 0.7f * y[l], seed + 2).height;
     x[l] += 0.35f * bend_x, y[l] += 0.35f * bend_y;
-    height[l] = slope_x[l] = slope_y[l] = 0;
+    height[l] = slope_x[l] = slope_y[l] = crest2[l] = 0;
     on_ridge[l] = 1;
   }
 
@@ -80,11 +86,12 @@ void relief_lanes(const ReliefSettings& settings, double cell, float* x, float* 
     const float kept = amplitude * resolved(settings.wavelength / double(frequency), cell);
     if (kept == 0) break;
     for (int l = 0; l < lanes; ++l) {
-      const Slope r = ridge(frequency * x[l], frequency * y[l], seed + 10 + octave);
-      const float a = kept * on_ridge[l];
+      const auto [r, lost2] = ridge(frequency * x[l], frequency * y[l], seed + 10 + octave);
+      const float a = kept * on_ridge[l], steepness = a * 2 * r.height * frequency;
       height[l] += a * (r.height * r.height - 0.47f);
-      slope_x[l] += a * 2 * r.height * r.x * frequency;
-      slope_y[l] += a * 2 * r.height * r.y * frequency;
+      slope_x[l] += steepness * r.x;
+      slope_y[l] += steepness * r.y;
+      crest2[l] += steepness * steepness * lost2;
       on_ridge[l] = std::min(1.0f, std::max(0.0f, on_ridge[l] * r.height * 1.3f));
     }
     frequency *= 2.13f, amplitude *= 0.48f;
@@ -94,7 +101,7 @@ void relief_lanes(const ReliefSettings& settings, double cell, float* x, float* 
   frequency = 3.1f;
   float depth = 0.085f * float(0.4 + 1.2 * settings.ruggedness);
   for (std::uint32_t octave = 0; octave < 8; ++octave) {
-    const float kept = depth * resolved(settings.wavelength / double(frequency), cell);
+    const float turning = 30 * depth, kept = depth * resolved(settings.wavelength / double(frequency), cell);
     if (kept == 0) break;
     float down_x[lanes], down_y[lanes];
     for (int l = 0; l < lanes; ++l) {
@@ -104,11 +111,16 @@ void relief_lanes(const ReliefSettings& settings, double cell, float* x, float* 
     const Ribs ribs(x, y, down_x, down_y, frequency, seed + 100 + octave);
     for (int l = 0; l < lanes; ++l) {
       const float steepness2 = slope_x[l] * slope_x[l] + slope_y[l] * slope_y[l];
-      // Crests and floors, where the fall line turns round, hold no gullies.
-      const float cut = kept * steepness2 / (0.5f + steepness2);
-      height[l] += cut * (ribs.height[l] - 0.3f);
+      // Where the fall line turns round, gullies that follow it would be cut across, into blades: floors hold none, and crests,
+      // level or running downhill, are notched without regard to it.
+      const float turns = turning * crest2[l];
+      const float cut = kept * steepness2 / (0.5f + steepness2) * steepness2 / (steepness2 + turns + 1e-9f);
+      const float notch = 1.6f * kept * crest2[l] / (0.3f + crest2[l]);
+      const Slope crag = ridge(frequency * x[l], frequency * y[l], seed + 200 + octave).slope;
+      height[l] += cut * (ribs.height[l] - 0.3f) + notch * (crag.height - 0.7f);
       const float across = 0.7f * cut * ribs.across_slope[l] * frequency;
-      slope_x[l] -= across * down_y[l], slope_y[l] += across * down_x[l];
+      slope_x[l] += notch * crag.x * frequency - across * down_y[l];
+      slope_y[l] += notch * crag.y * frequency + across * down_x[l];
     }
     frequency *= 1.83f, depth *= 0.53f;
   }

@@ -333,7 +333,7 @@ std::vector<float> stretches(const Terrain& terrain, const TileTree& tree, const
   }
   std::vector<TerrainHit> hits(count);
   terrain.hits(rays, hits);
-  constexpr float most = 3;  // even edge-on, a ridge's outline is wanted
+  constexpr float most = 2;  // even edge-on, a ridge's outline is wanted
   const double solid_angle = 2 * std::numbers::pi * cap / double(count);
   constexpr std::int32_t parts = TileTree::Draft::parts;
   TileTree::Draft draft{&tree, std::vector<float>(tree.leaves().size() * parts * parts, 0)};
