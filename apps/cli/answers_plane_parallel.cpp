@@ -1,6 +1,8 @@
 // `plane-parallel`: all orders of scattering in flat layers, by adding and doubling.
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
+
 #include "airlight/error.h"
 #include "answers.h"
 #include "batch_plane_parallel.h"

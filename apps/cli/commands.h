@@ -1,27 +1,24 @@
 // The verbs of the command line; one file each.
 #pragma once
-#include <CLI/CLI.hpp>
-#include <functional>
 
 namespace airlight::cli {
 
-/// What the person asked for, ready to run; its result is the exit code.
-using Command = std::function<int()>;
+class CommandLine;
 
-// Each adds its subcommand; when the command line names it, `chosen` becomes what to run.
-void add_sky(CLI::App& app, Command& chosen);
-void add_render(CLI::App& app, Command& chosen);
-void add_compare(CLI::App& app, Command& chosen);
-void add_haze(CLI::App& app, Command& chosen);
-void add_sequence(CLI::App& app, Command& chosen);
-void add_realworldz_table(CLI::App& app, Command& chosen);
-void add_tables(CLI::App& app, Command& chosen);
-void add_probe(CLI::App& app, Command& chosen);
-void add_validate(CLI::App& app, Command& chosen);  // where the reference is built in
-void add_eval(CLI::App& app, Command& chosen);
-void add_models(CLI::App& app, Command& chosen);
-void add_planets(CLI::App& app, Command& chosen);
-void add_doctor(CLI::App& app, Command& chosen);
+// Each adds its verb.
+void add_sky(CommandLine& line);
+void add_render(CommandLine& line);
+void add_compare(CommandLine& line);
+void add_haze(CommandLine& line);
+void add_sequence(CommandLine& line);
+void add_realworldz_table(CommandLine& line);
+void add_tables(CommandLine& line);
+void add_probe(CommandLine& line);
+void add_validate(CommandLine& line);  // where the reference is built in
+void add_eval(CommandLine& line);
+void add_models(CommandLine& line);
+void add_planets(CommandLine& line);
+void add_doctor(CommandLine& line);
 
 /// "airlight 0.1.0"
 const char* version();

@@ -9,13 +9,13 @@
 #include <optional>
 
 #include "airlight/error.h"
+#include "command_line.h"
 #include "commands.h"
 #include "image/contact_sheet.h"
 #include "image/tone.h"
 #include "interrupt.h"
 #include "model/model.h"
 #include "number.h"
-#include "number_option.h"
 #include "optics/colour.h"
 #include "processor_time.h"
 #include "progress.h"
@@ -314,27 +314,22 @@ int run_compare(const CompareOptions& options) {
 
 }  // namespace
 
-void add_compare(CLI::App& app, Command& chosen) {
+void add_compare(CommandLine& line) {
   const auto options = std::make_shared<CompareOptions>();
-  CLI::App& compare = *app.add_subcommand(
-      "compare",
-      "One scene by several models: pictures, differences, errors, cost (no shadows in the air; relative "
-      "colours scaled to the yardstick's sky)");
-  compare.add_option("scene", options->scene, "scene to render, TOML (docs/scene_file.md)")
-      ->required()
-      ->type_name("FILE");
-  compare.add_option("-o,--output", options->folder, "folder for the pictures and tables")
-      ->required()
-      ->type_name("DIR");
-  compare
-      .add_option("--models", options->models, "names with commas between, or all that can draw the scene (default)")
-      ->type_name("LIST");
-  compare.add_option("--yardstick", options->yardstick, "the model that the others are measured by (default single)")
-      ->type_name("NAME");
-  add_number(compare, "--scale", options->scale, {1e-6, 1e6, ""},
-             "difference shown in full colour, relative (default: one that suits)");
+  const Verb compare =
+      line.verb("compare",
+                "One scene by several models: pictures, differences, errors, cost (no shadows in the air; relative "
+                "colours scaled to the yardstick's sky)");
+  compare.option("scene", options->scene, "scene to render, TOML (docs/scene_file.md)").required().type_name("FILE");
+  compare.option("-o,--output", options->folder, "folder for the pictures and tables").required().type_name("DIR");
+  compare.option("--models", options->models, "names with commas between, or all that can draw the scene (default)")
+      .type_name("LIST");
+  compare.option("--yardstick", options->yardstick, "the model that the others are measured by (default single)")
+      .type_name("NAME");
+  compare.number("--scale", options->scale, {1e-6, 1e6, ""},
+                 "difference shown in full colour, relative (default: one that suits)");
   options->picture.add_picture_to(compare);
-  compare.callback([options, &chosen] { chosen = [options] { return run_compare(*options); }; });
+  compare.runs([options] { return run_compare(*options); });
 }
 
 }  // namespace airlight::cli

@@ -6,6 +6,7 @@
 
 #include "airlight/engine.h"
 #include "airlight/error.h"
+#include "command_line.h"
 #include "commands.h"
 #include "eval_request.h"
 #include "interrupt.h"
@@ -190,16 +191,15 @@ int run_eval(const EvalOptions& options) {
 
 }  // namespace
 
-void add_eval(CLI::App& app, Command& chosen) {
+void add_eval(CommandLine& line) {
   const auto options = std::make_shared<EvalOptions>();
-  CLI::App& eval = *app.add_subcommand("eval", "Kernel functions by name: JSON lines from standard input, answers out");
+  const Verb eval = line.verb("eval", "Kernel functions by name: JSON lines from standard input, answers out");
   add_engine(eval, options->engine);
-  eval.add_option("-o,--output", options->output, "where the answers go; - is standard output (default -)")
-      ->type_name("FILE");
-  auto* const list =
-      eval.add_flag("--list", options->list, "every function with its arguments, units, ranges and bound");
-  eval.add_flag("--json", options->json, "the list as JSON")->needs(list);
-  eval.callback([options, &chosen] { chosen = [options] { return run_eval(*options); }; });
+  eval.option("-o,--output", options->output, "where the answers go; - is standard output (default -)")
+      .type_name("FILE");
+  const Option list = eval.flag("--list", options->list, "every function with its arguments, units, ranges and bound");
+  eval.flag("--json", options->json, "the list as JSON").needs(list);
+  eval.runs([options] { return run_eval(*options); });
 }
 
 }  // namespace airlight::cli

@@ -6,12 +6,13 @@
 #include <cmath>
 
 #include "airlight/error.h"
+#include "command_line.h"
 #include "commands.h"
 #include "haze_input.h"
 #include "haze_options.h"
 #include "interrupt.h"
 #include "lens.h"
-#include "number_option.h"
+#include "number.h"
 #include "picture_outputs.h"
 #include "progress.h"
 #include "render/air_shadows.h"
@@ -242,11 +243,11 @@ int run_haze(const HazeOptions& options) {
 
 }  // namespace
 
-void add_haze(CLI::App& app, Command& chosen) {
+void add_haze(CommandLine& line) {
   const auto options = std::make_shared<HazeOptions>();
-  CLI::App& haze = *app.add_subcommand("haze", "Air over a picture with depth that another renderer made");
+  const Verb haze = line.verb("haze", "Air over a picture with depth that another renderer made");
   options->add_to(haze);
-  haze.callback([options, &chosen] { chosen = [options] { return run_haze(*options); }; });
+  haze.runs([options] { return run_haze(*options); });
 }
 
 }  // namespace airlight::cli

@@ -5,7 +5,6 @@
 #include "airlight/error.h"
 #include "lens.h"
 #include "number.h"
-#include "number_option.h"
 #include "picture_outputs.h"
 
 namespace airlight::cli {
@@ -73,106 +72,99 @@ void HazeOptions::change(Camera& camera, bool complete) const {
   if (roll) camera.roll = *roll * degree;
 }
 
-void HazeOptions::add_to(CLI::App& app) {
+void HazeOptions::add_to(const Verb& verb) {
   const char* const picture = "Picture";
   const char* const lens = "Camera";
   const char* const output = "Output";
-  app.add_option("--color", color, "finished picture, linear sRGB: .exr, or what else OpenImageIO reads")
-      ->required()
-      ->type_name("FILE");
-  app.add_option("-o,--output", outputs,
-                 "picture to write: .exr and .hdr linear in cd/m2, .png tone-mapped; may be repeated")
-      ->required()
-      ->allow_extra_args(false)
-      ->type_name("FILE");
+  verb.option("--color", color, "finished picture, linear sRGB: .exr, or what else OpenImageIO reads")
+      .required()
+      .type_name("FILE");
+  verb.option("-o,--output", outputs,
+              "picture to write: .exr and .hdr linear in cd/m2, .png tone-mapped; may be repeated")
+      .required()
+      .one_value_each()
+      .type_name("FILE");
 
-  app.add_option("--color-channels", color_channels,
-                 "names as in R,G,B or R,G,B,A, or a layer: LAYER.R, .G, .B and, where there is one, .A (default R,G,B "
-                 "with A)")
-      ->group(picture)
-      ->type_name("LIST");
-  add_number(app, "--exposure-of-color", scale, {1e-9, 1e9, "cd/m2"}, "luminance of a white of 1 in the picture")
-      ->group(picture);
-  app.add_option("--depth", depth,
-                 "channel that holds depth (default Z); for positions three, or a layer: LAYER.X, .Y, .Z")
-      ->group(picture)
-      ->type_name("NAME");
-  app.add_option("--depth-file", depth_file, "where it is, if not beside the colour")
-      ->group(picture)
-      ->type_name("FILE");
-  app.add_option("--depth-kind", depth_kind,
-                 "z (along the camera's axis), distance, position, buffer (0 near, 1 far), reversed (1 near, 0 far), "
-                 "logarithmic (default z)")
-      ->group(picture)
-      ->type_name("NAME");
-  add_number(app, "--unit", unit, {1e-9, 1e15, "m"}, "length of the file's unit")->group(picture);
-  add_number(app, "--near", near, {1e-12, 1e15, "units"}, "of buffer, reversed and logarithmic")->group(picture);
-  add_number(app, "--far", far, {1e-12, 1e15, "units"},
-             "the sky begins here (default 1e9; buffer and reversed: infinite)")
-      ->group(picture);
-  add_number(app, "--log-constant", constant, {1e-12, 1e12, "1/units"},
-             "C of a logarithmic depth log(C z + 1) / log(C far + 1), in place of --near")
-      ->group(picture);
-  app.add_option("--bad-depth", bad_depth, "NaN and negative depth: error, or sky (default error)")
-      ->group(picture)
-      ->type_name("WHAT");
-  app.add_option("--sky", sky, "pixels without depth: fill with the sky, or leave (default fill)")
-      ->group(picture)
-      ->type_name("WHAT");
+  verb.option("--color-channels", color_channels,
+              "names as in R,G,B or R,G,B,A, or a layer: LAYER.R, .G, .B and, where there is one, .A (default R,G,B "
+              "with A)")
+      .group(picture)
+      .type_name("LIST");
+  verb.number("--exposure-of-color", scale, {1e-9, 1e9, "cd/m2"}, "luminance of a white of 1 in the picture")
+      .group(picture);
+  verb.option("--depth", depth,
+              "channel that holds depth (default Z); for positions three, or a layer: LAYER.X, .Y, .Z")
+      .group(picture)
+      .type_name("NAME");
+  verb.option("--depth-file", depth_file, "where it is, if not beside the colour").group(picture).type_name("FILE");
+  verb.option("--depth-kind", depth_kind,
+              "z (along the camera's axis), distance, position, buffer (0 near, 1 far), reversed (1 near, 0 far), "
+              "logarithmic (default z)")
+      .group(picture)
+      .type_name("NAME");
+  verb.number("--unit", unit, {1e-9, 1e15, "m"}, "length of the file's unit").group(picture);
+  verb.number("--near", near, {1e-12, 1e15, "units"}, "of buffer, reversed and logarithmic").group(picture);
+  verb.number("--far", far, {1e-12, 1e15, "units"}, "the sky begins here (default 1e9; buffer and reversed: infinite)")
+      .group(picture);
+  verb.number("--log-constant", constant, {1e-12, 1e12, "1/units"},
+              "C of a logarithmic depth log(C z + 1) / log(C far + 1), in place of --near")
+      .group(picture);
+  verb.option("--bad-depth", bad_depth, "NaN and negative depth: error, or sky (default error)")
+      .group(picture)
+      .type_name("WHAT");
+  verb.option("--sky", sky, "pixels without depth: fill with the sky, or leave (default fill)")
+      .group(picture)
+      .type_name("WHAT");
 
-  app.add_option("--projection", projection, "perspective, fisheye, equirectangular, cube (default perspective)")
-      ->group(lens)
-      ->type_name("NAME");
-  add_number(app, "--field-of-view", field_of_view, {0.1, 360, "degrees"},
-             "perspective: horizontal, up to 170; fisheye: across the circle, from 1")
-      ->group(lens);
-  add_number(app, "--camera-azimuth", azimuth, {-360, 360, "degrees"},
-             "middle of the picture, from north, clockwise (default 0)")
-      ->group(lens);
-  add_number(app, "--camera-elevation", elevation, {-90, 90, "degrees"},
-             "axis above the horizon (default 0, fisheye 90)")
-      ->group(lens);
-  add_number(app, "--camera-roll", roll, {-360, 360, "degrees"},
-             "camera's turn about its axis, right side up (default 0)")
-      ->group(lens);
-  add_number(app, "--altitude", altitude, {lowest_altitude, highest_altitude, "m"},
-             "camera above the ground (default 2)")
-      ->group(lens);
-  auto* const exr =
-      app.add_flag("--exr-camera", exr_camera, "camera from the picture's worldToNDC or worldToCamera")->group(lens);
+  verb.option("--projection", projection, "perspective, fisheye, equirectangular, cube (default perspective)")
+      .group(lens)
+      .type_name("NAME");
+  verb.number("--field-of-view", field_of_view, {0.1, 360, "degrees"},
+              "perspective: horizontal, up to 170; fisheye: across the circle, from 1")
+      .group(lens);
+  verb.number("--camera-azimuth", azimuth, {-360, 360, "degrees"},
+              "middle of the picture, from north, clockwise (default 0)")
+      .group(lens);
+  verb.number("--camera-elevation", elevation, {-90, 90, "degrees"}, "axis above the horizon (default 0, fisheye 90)")
+      .group(lens);
+  verb.number("--camera-roll", roll, {-360, 360, "degrees"}, "camera's turn about its axis, right side up (default 0)")
+      .group(lens);
+  verb.number("--altitude", altitude, {lowest_altitude, highest_altitude, "m"}, "camera above the ground (default 2)")
+      .group(lens);
+  const Option exr =
+      verb.flag("--exr-camera", exr_camera, "camera from the picture's worldToNDC or worldToCamera").group(lens);
   for (const char* angle : {"--projection", "--camera-azimuth", "--camera-elevation", "--camera-roll"})
-    exr->excludes(app.get_option(angle));
-  app.add_option("--up-axis", up_axis, "of the file's world: y or z (default z)")->group(lens)->type_name("AXIS");
-  add_number(app, "--north", north, {-360, 360, "degrees"},
-             "azimuth of the file's y (up z) or -z (up y), for --exr-camera")
-      ->group(lens);
-  app.add_option("--eye", eye, "camera in the file's axes and unit, for positions")->group(lens)->type_name("X,Y,Z");
+    exr.excludes(verb.find(angle));
+  verb.option("--up-axis", up_axis, "of the file's world: y or z (default z)").group(lens).type_name("AXIS");
+  verb.number("--north", north, {-360, 360, "degrees"}, "azimuth of the file's y (up z) or -z (up y), for --exr-camera")
+      .group(lens);
+  verb.option("--eye", eye, "camera in the file's axes and unit, for positions").group(lens).type_name("X,Y,Z");
 
-  sun.add_to(app);
-  air.add_to(app);
-  auto* const scene_option = app.add_option("--scene", scene,
-                                            "air, sun, camera and land of a scene file in place of these options; land "
-                                            "casts its shadows into the air")
-                                 ->group("Air")
-                                 ->type_name("FILE");
+  sun.add_to(verb);
+  air.add_to(verb);
+  const Option scene_option = verb.option("--scene", scene,
+                                          "air, sun, camera and land of a scene file in place of these options; land "
+                                          "casts its shadows into the air")
+                                  .group("Air")
+                                  .type_name("FILE");
   for (const char* name : {"--planet", "--aerosol-optical-depth", "--angstrom", "--ozone", "--place", "--time",
                            "--sun-elevation", "--sun-azimuth"})
-    scene_option->excludes(app.get_option(name));
-  app.add_flag("--no-air-shadows", no_air_shadows, "the scene's land casts no shadows into the air")->group("Air");
-  app.add_option("--model", model, "model of the sky (default skyview, or the scene's)")
-      ->group("Model and engine")
-      ->type_name("NAME");
-  add_engine(app, engine);
+    scene_option.excludes(verb.find(name));
+  verb.flag("--no-air-shadows", no_air_shadows, "the scene's land casts no shadows into the air").group("Air");
+  verb.option("--model", model, "model of the sky (default skyview, or the scene's)")
+      .group("Model and engine")
+      .type_name("NAME");
+  add_engine(verb, engine);
 
-  app.add_option("--exposure", exposure,
-                 "of a .png: auto, or EV, by which 1 cd/m2 is brightened by 2^EV [EV, -100 .. 100] (default auto)")
-      ->group(output)
-      ->type_name("EV");
-  app.add_option("--tone", tone, "tone curve of a .png: filmic, reinhard (default filmic)")
-      ->group(output)
-      ->type_name("NAME");
-  app.add_flag("--float", full_float, "32-bit .exr in place of half floats, which end at 65504 cd/m2")->group(output);
-  app.add_flag("--no-sun", no_sun, "leave the sun's disc out of a filled sky")->group(output);
+  verb.option("--exposure", exposure,
+              "of a .png: auto, or EV, by which 1 cd/m2 is brightened by 2^EV [EV, -100 .. 100] (default auto)")
+      .group(output)
+      .type_name("EV");
+  verb.option("--tone", tone, "tone curve of a .png: filmic, reinhard (default filmic)")
+      .group(output)
+      .type_name("NAME");
+  verb.flag("--float", full_float, "32-bit .exr in place of half floats, which end at 65504 cd/m2").group(output);
+  verb.flag("--no-sun", no_sun, "leave the sun's disc out of a filled sky").group(output);
 }
 
 }  // namespace airlight::cli

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "command_line.h"
 #include "commands.h"
 #include "options.h"
 #include "render/haze_depth.h"
@@ -33,7 +34,7 @@ struct HazeOptions {
   std::string exposure = "auto", tone = "filmic";
   bool full_float = false, no_sun = false;
 
-  void add_to(CLI::App& app);
+  void add_to(const Verb& verb);
 
   /// @throws InputError for words that mean nothing or do not go together.
   DepthMeaning depth_meaning() const;  ///< but for the eye

@@ -8,6 +8,7 @@
 
 #include "airlight/error.h"
 #include "airlight/sky.h"
+#include "command_line.h"
 #include "commands.h"
 #include "options.h"
 #include "parameter_json.h"
@@ -130,60 +131,53 @@ std::string as_text(const ordered_json& report) {
 
 const char* version() { return "airlight " AIRLIGHT_VERSION; }
 
-void add_models(CLI::App& app, Command& chosen) {
+void add_models(CommandLine& line) {
   const auto json = std::make_shared<bool>(false);
-  CLI::App& command = *app.add_subcommand("models", "The models of the sky");
-  command.add_flag("--json", *json, "for scripts");
-  command.callback([json, &chosen] {
-    chosen = [json] {
-      write_text("-", *json ? models_as_json() : models_as_text());
-      return ok;
-    };
+  const Verb command = line.verb("models", "The models of the sky");
+  command.flag("--json", *json, "for scripts");
+  command.runs([json] {
+    write_text("-", *json ? models_as_json() : models_as_text());
+    return ok;
   });
 }
 
-void add_planets(CLI::App& app, Command& chosen) {
+void add_planets(CommandLine& line) {
   struct Options {
     std::string name;
     AirOverrides overrides;
     bool json = false;
   };
   const auto options = std::make_shared<Options>();
-  CLI::App& command = *app.add_subcommand("planets", "The atmospheres built in; with a name, its TOML");
-  auto* const name =
-      command.add_option("name", options->name, "a built-in atmosphere or a file.toml, to be printed as TOML")
-          ->type_name("NAME");
-  command.add_flag("--json", options->json, "the list as JSON")->excludes(name);
+  const Verb command = line.verb("planets", "The atmospheres built in; with a name, its TOML");
+  const Option name =
+      command.option("name", options->name, "a built-in atmosphere or a file.toml, to be printed as TOML")
+          .type_name("NAME");
+  command.flag("--json", options->json, "the list as JSON").excludes(name);
   add_air_overrides(command, options->overrides);
-  command.callback([options, &chosen] {
-    chosen = [options] {
-      if (!options->name.empty()) {
-        write_text("-", to_toml(with_overrides(load_atmosphere(options->name), options->overrides)));
-        return ok;
-      }
-      std::vector<Entry> entries;
-      for (const std::string_view planet : built_in_atmospheres())
-        entries.push_back({planet, describe_atmosphere(planet)});
-      print_entries(entries, options->json);
+  command.runs([options] {
+    if (!options->name.empty()) {
+      write_text("-", to_toml(with_overrides(load_atmosphere(options->name), options->overrides)));
       return ok;
-    };
+    }
+    std::vector<Entry> entries;
+    for (const std::string_view planet : built_in_atmospheres())
+      entries.push_back({planet, describe_atmosphere(planet)});
+    print_entries(entries, options->json);
+    return ok;
   });
 }
 
-void add_doctor(CLI::App& app, Command& chosen) {
+void add_doctor(CommandLine& line) {
   const auto json = std::make_shared<bool>(false);
-  CLI::App& command =
-      *app.add_subcommand("doctor", "What this machine can run: instruction sets, engines, threads, data");
-  command.add_flag("--json", *json, "for scripts");
-  command.callback([json, &chosen] {
-    chosen = [json] {
-      const ordered_json report = examine();
-      write_text("-", *json ? report.dump(2) + '\n' : as_text(report));
-      // Without its two processor engines the program is broken; without a graphics driver it is not.
-      for (const auto& engine : report["engines"])
-        if (engine["name"] != "gl" && !engine["works"].get<bool>()) return int{failed};
-      return int{ok};
-    };
+  const Verb command = line.verb("doctor", "What this machine can run: instruction sets, engines, threads, data");
+  command.flag("--json", *json, "for scripts");
+  command.runs([json] {
+    const ordered_json report = examine();
+    write_text("-", *json ? report.dump(2) + '\n' : as_text(report));
+    // Without its two processor engines the program is broken; without a graphics driver it is not.
+    for (const auto& engine : report["engines"])
+      if (engine["name"] != "gl" && !engine["works"].get<bool>()) return int{failed};
+    return int{ok};
   });
 }
 

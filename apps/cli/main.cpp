@@ -4,6 +4,7 @@
 #include <new>
 
 #include "airlight/error.h"
+#include "command_line.h"
 #include "commands.h"
 #include "interrupt.h"
 
@@ -16,36 +17,26 @@ int complain(const std::exception& problem, int code) {
 
 int run(int argc, char** argv) {
   using namespace airlight::cli;
-  CLI::App app{"The light of the sky: pictures and numbers in absolute units.", "airlight"};
-  app.set_version_flag("--version", version());
-  app.require_subcommand(0, 1);  // an unknown word is then named in the message; none at all shows the help
-  app.get_formatter()->column_width(38);
-  Command chosen;
-  add_sky(app, chosen);
-  add_render(app, chosen);
-  add_compare(app, chosen);
-  add_haze(app, chosen);
-  add_sequence(app, chosen);
-  add_realworldz_table(app, chosen);
-  add_tables(app, chosen);
-  add_probe(app, chosen);
+  CommandLine line("airlight", "The light of the sky: pictures and numbers in absolute units.", version(),
+                   "Exit codes: 0 done; 1 failed while working, or some lines of a batch failed; 2 bad usage or "
+                   "input; 130 interrupted.");
+  add_sky(line);
+  add_render(line);
+  add_compare(line);
+  add_haze(line);
+  add_sequence(line);
+  add_realworldz_table(line);
+  add_tables(line);
+  add_probe(line);
 #ifdef AIRLIGHT_WITH_REFERENCE
-  add_validate(app, chosen);
+  add_validate(line);
 #endif
-  add_eval(app, chosen);
-  add_models(app, chosen);
-  add_planets(app, chosen);
-  add_doctor(app, chosen);
-  app.footer(
-      "Exit codes: 0 done; 1 failed while working, or some lines of a batch failed; 2 bad usage or input; 130 "
-      "interrupted.");
+  add_eval(line);
+  add_models(line);
+  add_planets(line);
+  add_doctor(line);
   try {
-    app.parse(argc, argv);
-    if (chosen) return chosen();
-    std::fputs(app.help().c_str(), stderr);
-    return bad_input;
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? ok : bad_input;
+    return line.run(argc, argv);
   } catch (const Interrupted& interruption) {
     return complain(interruption, interrupted_code);
   } catch (const airlight::InputError& error) {

@@ -45,16 +45,16 @@ void tell_warnings(const Sky& sky) {
   for (const std::string& warning : sky.warnings()) fmt::print(stderr, "warning: {}\n", warning);
 }
 
-void ModelOptions::add_to(CLI::App& app) {
+void ModelOptions::add_to(const Verb& verb) {
   const char* const group = "Model and engine";
-  app.add_option("--preset", preset, "values that belong together, of a published system (`airlight models --json`)")
-      ->group(group)
-      ->type_name("NAME");
-  app.add_option("--set", set,
-                 "a parameter of a published system: a number, numbers with commas, or a word; may be repeated")
-      ->group(group)
-      ->allow_extra_args(false)
-      ->type_name("NAME=VALUE");
+  verb.option("--preset", preset, "values that belong together, of a published system (`airlight models --json`)")
+      .group(group)
+      .type_name("NAME");
+  verb.option("--set", set,
+              "a parameter of a published system: a number, numbers with commas, or a word; may be repeated")
+      .group(group)
+      .one_value_each()
+      .type_name("NAME=VALUE");
 }
 
 Parameters ModelOptions::parameters() const {

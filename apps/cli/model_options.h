@@ -1,6 +1,5 @@
 // --preset and --set: the parameters of a model on the command line.
 #pragma once
-#include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -8,6 +7,7 @@
 
 #include "airlight/model_info.h"
 #include "airlight/sky.h"
+#include "command_line.h"
 
 namespace airlight::cli {
 
@@ -23,7 +23,7 @@ struct ModelOptions {
   std::string preset;
   std::vector<std::string> set;  ///< NAME=VALUE
 
-  void add_to(CLI::App& app);
+  void add_to(const Verb& verb);
   /// @throws InputError for text that is no NAME=VALUE; names and ranges are Sky's to check
   Parameters parameters() const;
   /// The elevation of the Sun [degrees] that the preset was made for.

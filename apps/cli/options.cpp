@@ -9,7 +9,6 @@
 #include "airlight/sky.h"
 #include "did_you_mean.h"
 #include "interrupt.h"
-#include "number_option.h"
 #include "progress.h"
 #include "scene/scene_sun.h"
 #include "scenefile/atmosphere_file.h"
@@ -44,47 +43,47 @@ std::vector<std::string_view> model_names() {
   return names;
 }
 
-void add_air_overrides(CLI::App& app, AirOverrides& overrides) {
-  add_number(app, "--aerosol-optical-depth", overrides.aerosol_optical_depth, {0, 100, ""},
-             "vertical optical depth of the aerosol at 550 nm")
-      ->group(air_group);
-  add_number(app, "--angstrom", overrides.angstrom, {-2, 5, ""}, "Ångström exponent of the aerosol")->group(air_group);
-  add_number(app, "--ozone", overrides.ozone, {0, 10'000, "Dobson units"}, "ozone column")->group(air_group);
+void add_air_overrides(const Verb& verb, AirOverrides& overrides) {
+  verb.number("--aerosol-optical-depth", overrides.aerosol_optical_depth, {0, 100, ""},
+              "vertical optical depth of the aerosol at 550 nm")
+      .group(air_group);
+  verb.number("--angstrom", overrides.angstrom, {-2, 5, ""}, "Ångström exponent of the aerosol").group(air_group);
+  verb.number("--ozone", overrides.ozone, {0, 10'000, "Dobson units"}, "ozone column").group(air_group);
 }
 
-void AirOptions::add_to(CLI::App& app) {
-  app.add_option("--planet", planet,
-                 fmt::format("atmosphere: {} or a file.toml (default {})", join(built_in_atmospheres()), planet))
-      ->group(air_group)
-      ->type_name("NAME");
-  add_air_overrides(app, overrides);
+void AirOptions::add_to(const Verb& verb) {
+  verb.option("--planet", planet,
+              fmt::format("atmosphere: {} or a file.toml (default {})", join(built_in_atmospheres()), planet))
+      .group(air_group)
+      .type_name("NAME");
+  add_air_overrides(verb, overrides);
 }
 
 Atmosphere AirOptions::load() const { return with_overrides(load_atmosphere(planet), overrides); }
 
-void SunOptions::add_to(CLI::App& app) {
-  auto* const place_option =
-      app.add_option("--place", place,
-                     "latitude and longitude on Earth, north and east positive [degrees, -90 .. 90, -180 .. 180]")
-          ->group(sun_group)
-          ->type_name("LAT,LON");
-  auto* const time_option =
-      app.add_option("--time", time, "ISO 8601 time: 2026-06-21T18:40Z, or with an offset as in +02:00")
-          ->group(sun_group)
-          ->type_name("TIME");
-  place_option->needs(time_option);
-  time_option->needs(place_option);
-  app.add_flag("--refraction", refraction,
-               "lift the sun by the standard refraction of the air, 0.57 degrees at the horizon (default off)")
-      ->group(sun_group)
-      ->needs(place_option);
-  add_number(app, "--sun-elevation", elevation, {-90, 90, "degrees"},
-             "sun above the horizon, in place of --place and --time")
-      ->group(sun_group)
-      ->excludes(place_option);
-  add_number(app, "--sun-azimuth", azimuth, {-360, 360, "degrees"}, "sun's azimuth from north, clockwise (default 0)")
-      ->group(sun_group)
-      ->excludes(place_option);
+void SunOptions::add_to(const Verb& verb) {
+  const Option place_option =
+      verb.option("--place", place,
+                  "latitude and longitude on Earth, north and east positive [degrees, -90 .. 90, -180 .. 180]")
+          .group(sun_group)
+          .type_name("LAT,LON");
+  const Option time_option =
+      verb.option("--time", time, "ISO 8601 time: 2026-06-21T18:40Z, or with an offset as in +02:00")
+          .group(sun_group)
+          .type_name("TIME");
+  place_option.needs(time_option);
+  time_option.needs(place_option);
+  verb.flag("--refraction", refraction,
+            "lift the sun by the standard refraction of the air, 0.57 degrees at the horizon (default off)")
+      .group(sun_group)
+      .needs(place_option);
+  verb.number("--sun-elevation", elevation, {-90, 90, "degrees"},
+              "sun above the horizon, in place of --place and --time")
+      .group(sun_group)
+      .excludes(place_option);
+  verb.number("--sun-azimuth", azimuth, {-360, 360, "degrees"}, "sun's azimuth from north, clockwise (default 0)")
+      .group(sun_group)
+      .excludes(place_option);
 }
 
 SunPlace SunOptions::resolve(std::optional<double> otherwise) const {
@@ -116,11 +115,11 @@ Direction SunPlace::direction() const { return airlight::direction(azimuth * deg
 
 void SunPlace::apply_distance(Atmosphere& atmosphere) const { atmosphere.sun = sun_at(atmosphere.sun, distance); }
 
-void MachineOptions::add_to(CLI::App& app, const std::vector<std::string_view>& models) {
-  app.add_option("--model", model, fmt::format("{} (default {})", join(models), model))
-      ->group(machine_group)
-      ->type_name("NAME");
-  add_engine(app, engine);
+void MachineOptions::add_to(const Verb& verb, const std::vector<std::string_view>& models) {
+  verb.option("--model", model, fmt::format("{} (default {})", join(models), model))
+      .group(machine_group)
+      .type_name("NAME");
+  add_engine(verb, engine);
 }
 
 /// Where tables that take long to make are kept between runs; empty: nowhere.
@@ -131,10 +130,10 @@ static std::string table_folder() {
   return {};
 }
 
-void add_engine(CLI::App& app, std::string& engine) {
-  app.add_option("--engine", engine, fmt::format("{} (default {})", join(engines), engine))
-      ->group(machine_group)
-      ->type_name("NAME");
+void add_engine(const Verb& verb, std::string& engine) {
+  verb.option("--engine", engine, fmt::format("{} (default {})", join(engines), engine))
+      .group(machine_group)
+      .type_name("NAME");
 }
 
 void check_model_name(std::string_view model, std::string_view option, const std::vector<std::string_view>& known) {

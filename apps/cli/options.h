@@ -1,6 +1,5 @@
 // Option groups that several commands share: which air, where the sun stands, which model and engine.
 #pragma once
-#include <CLI/CLI.hpp>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -11,19 +10,20 @@
 #include "airlight/atmosphere.h"
 #include "airlight/camera.h"
 #include "airlight/engine.h"
+#include "command_line.h"
 #include "image/picture_file.h"
 
 namespace airlight::cli {
 
 /// --aerosol-optical-depth, --angstrom, --ozone
-void add_air_overrides(CLI::App& app, AirOverrides& overrides);
+void add_air_overrides(const Verb& verb, AirOverrides& overrides);
 
 /// --planet and the overrides.
 struct AirOptions {
   std::string planet = "earth";
   AirOverrides overrides;
 
-  void add_to(CLI::App& app);
+  void add_to(const Verb& verb);
   /// @throws InputError
   Atmosphere load() const;
 };
@@ -48,7 +48,7 @@ struct SunOptions {
   bool refraction = false;
   std::optional<double> elevation, azimuth;
 
-  void add_to(CLI::App& app);
+  void add_to(const Verb& verb);
   /// @param otherwise  elevation [degrees] where the command line does not say where the sun stands
   /// @throws InputError, also where neither does
   SunPlace resolve(std::optional<double> otherwise = {}) const;
@@ -62,13 +62,13 @@ struct MachineOptions {
   std::string model = "skyview", engine = "simd";
 
   /// @param models  the names that --help lists
-  void add_to(CLI::App& app, const std::vector<std::string_view>& models = model_names());
+  void add_to(const Verb& verb, const std::vector<std::string_view>& models = model_names());
   /// @throws InputError for unknown names, with "did you mean".
   void check_model() const;
   std::shared_ptr<Engine> make() const;
 };
 /// --engine alone
-void add_engine(CLI::App& app, std::string& engine);
+void add_engine(const Verb& verb, std::string& engine);
 /// @throws InputError for unknown names, with "did you mean"; WorkError where the engine cannot run.
 /// Tables are kept on disk; making them shows a bar on a terminal and heeds Ctrl-C.
 std::shared_ptr<Engine> engine_named(const std::string& engine);

@@ -6,7 +6,7 @@
 
 #include "airlight/error.h"
 #include "did_you_mean.h"
-#include "number_option.h"
+#include "number.h"
 
 namespace airlight::cli {
 

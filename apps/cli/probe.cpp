@@ -7,10 +7,11 @@
 #include "airlight/error.h"
 #include "answers.h"
 #include "batch.h"
+#include "command_line.h"
 #include "commands.h"
 #include "json_line.h"
 #include "model_options.h"
-#include "number_option.h"
+#include "number.h"
 #include "options.h"
 #include "probe_colours.h"
 #include "scenefile/atmosphere_file.h"
@@ -198,41 +199,39 @@ int run_probe(const ProbeOptions& options) {
 
 }  // namespace
 
-void add_probe(CLI::App& app, Command& chosen) {
+void add_probe(CommandLine& line) {
   const auto options = std::make_shared<ProbeOptions>();
-  CLI::App& probe = *app.add_subcommand(
+  const Verb probe = line.verb(
       "probe", "Numbers for one view, or for a file of questions (--batch); of published systems in red, green, blue");
-  auto* const batch =
-      probe.add_option("--batch", options->batch, "answer a file of JSON lines; - reads standard input")
-          ->type_name("FILE");
-  probe.add_option("-o,--output", options->output, "where the answers go; - is standard output (default -)")
-      ->type_name("FILE");
-  probe.add_flag("--json", options->json, "JSON in place of a table")->excludes(batch);
-  add_number(probe, "--altitude", options->altitude, {lowest_altitude, highest_altitude, "m"},
-             "observer above the ground")
-      ->excludes(batch);
-  add_number(probe, "--view-zenith", options->view_zenith, {0, 180, "degrees"}, "view, from straight up")
-      ->excludes(batch);
-  add_number(probe, "--view-azimuth", options->view_azimuth, {-360, 360, "degrees"}, "view, from north, clockwise")
-      ->excludes(batch);
-  add_number(probe, "--distance", options->distance, {0, highest_altitude, "m"},
-             "length of the view ray (default: to space or the ground)")
-      ->excludes(batch);
-  add_number(probe, "--max-order", options->max_order, {0, 1000, ""}, "orders of scattering, 1 single; 0 all")
-      ->excludes(batch);
+  const Option batch =
+      probe.option("--batch", options->batch, "answer a file of JSON lines; - reads standard input").type_name("FILE");
+  probe.option("-o,--output", options->output, "where the answers go; - is standard output (default -)")
+      .type_name("FILE");
+  probe.flag("--json", options->json, "JSON in place of a table").excludes(batch);
+  probe.number("--altitude", options->altitude, {lowest_altitude, highest_altitude, "m"}, "observer above the ground")
+      .excludes(batch);
+  probe.number("--view-zenith", options->view_zenith, {0, 180, "degrees"}, "view, from straight up").excludes(batch);
+  probe.number("--view-azimuth", options->view_azimuth, {-360, 360, "degrees"}, "view, from north, clockwise")
+      .excludes(batch);
   probe
-      .add_option("--wavelengths", options->wavelengths,
-                  "nm, inside the atmosphere's data: 440,550,680 or first:last:step (default 400:700:50); luminances "
-                  "always use 40")
-      ->type_name("LIST")
-      ->excludes(batch);
+      .number("--distance", options->distance, {0, highest_altitude, "m"},
+              "length of the view ray (default: to space or the ground)")
+      .excludes(batch);
+  probe.number("--max-order", options->max_order, {0, 1000, ""}, "orders of scattering, 1 single; 0 all")
+      .excludes(batch);
+  probe
+      .option("--wavelengths", options->wavelengths,
+              "nm, inside the atmosphere's data: 440,550,680 or first:last:step (default 400:700:50); luminances "
+              "always use 40")
+      .type_name("LIST")
+      .excludes(batch);
   options->sun.add_to(probe);
   options->air.add_to(probe);
   options->machine.add_to(probe, answering_models());
   options->own.add_to(probe);
-  probe.get_option("--preset")->excludes(batch);
-  probe.get_option("--set")->excludes(batch);
-  probe.callback([options, &chosen] { chosen = [options] { return run_probe(*options); }; });
+  probe.find("--preset").excludes(batch);
+  probe.find("--set").excludes(batch);
+  probe.runs([options] { return run_probe(*options); });
 }
 
 }  // namespace airlight::cli

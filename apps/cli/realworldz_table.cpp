@@ -7,12 +7,13 @@
 #include <memory>
 
 #include "airlight/error.h"
+#include "command_line.h"
 #include "commands.h"
 #include "image/picture_reader.h"
 #include "lens.h"
 #include "model/realworldz_paint.h"
 #include "model_options.h"
-#include "number_option.h"
+#include "number.h"
 #include "parameter_pictures.h"
 #include "picture_outputs.h"
 #include "sky/binder.h"
@@ -203,78 +204,74 @@ int run_table(const TableOptions& options) {
 
 }  // namespace
 
-void add_realworldz_table(CLI::App& app, Command& chosen) {
+void add_realworldz_table(CommandLine& line) {
   const auto options = std::make_shared<TableOptions>();
-  CLI::App& verb = *app.add_subcommand(
+  const Verb verb = line.verb(
       "realworldz-table", "Painted sky tables of the model realworldz: generated, from a photograph; painters' tools");
   const char* const camera = "The picture that --from names";
   const char* const paint = "Changes to the whole table";
   const char* const tools = "Painters' tools";
-  verb.add_option("-o,--output", options->outputs, "table to write: .png (8 bits) or .exr (floats); may be repeated")
-      ->allow_extra_args(false)
-      ->type_name("FILE");
-  verb.add_option("--from", options->from,
-                  "photograph or panorama to project back; what it does not show is filled smoothly")
-      ->type_name("FILE");
-  auto* const table =
-      verb.add_option("--table", options->table, "painted table to begin with (default: a generated one)")
-          ->type_name("FILE");
-  verb.add_option(
+  verb.option("-o,--output", options->outputs, "table to write: .png (8 bits) or .exr (floats); may be repeated")
+      .one_value_each()
+      .type_name("FILE");
+  verb.option("--from", options->from,
+              "photograph or panorama to project back; what it does not show is filled smoothly")
+      .type_name("FILE");
+  const Option table = verb.option("--table", options->table, "painted table to begin with (default: a generated one)")
+                           .type_name("FILE");
+  verb.option(
           "--size", options->size,
           "cells of a new table, 2 .. 4096 a side, or one number for both (default 256); what is narrow, as a halo, "
           "needs a wide one")
-      ->excludes(table)
-      ->type_name("WxH");
-  verb.add_option("--sun", options->sun, "where the sun stands: azimuth, elevation [degrees]")
-      ->group(camera)
-      ->type_name("A,E");
-  verb.add_option("--sun-pixel", options->sun_pixel, "or the pixel that shows it, from the left and from the top")
-      ->group(camera)
-      ->type_name("X,Y");
-  verb.add_option("--projection", options->projection,
-                  "equirectangular, fisheye or perspective (default equirectangular)")
-      ->group(camera)
-      ->type_name("NAME");
-  add_number(verb, "--altitude", options->altitude, {0, 1e7, "m"}, "camera above the planet's lowest ground")
-      ->group(camera);
-  add_number(verb, "--camera-azimuth", options->azimuth, {-360, 360, "degrees"},
-             "middle of the picture, from north, clockwise")
-      ->group(camera);
-  add_number(verb, "--camera-elevation", options->elevation, {-90, 90, "degrees"},
-             "of its axis above the horizon (default 0, fisheye 90)")
-      ->group(camera);
-  add_number(verb, "--field-of-view", options->field_of_view, {0.1, 360, "degrees"},
-             "perspective: horizontal (default 90); fisheye: across the circle (default 180)")
-      ->group(camera);
-  add_number(verb, "--horizon", options->horizon, {-90, 90, "degrees"}, "elevation above which the picture shows sky")
-      ->group(camera);
-  add_number(verb, "--white", options->white, {1e-12, 1e12, ""},
-             "light of the picture that the table takes as 1 (default: 10000 cd/m2 of pictures of floats, a display's "
-             "white of others)")
-      ->group(camera);
-  add_number(verb, "--halo", options->halo, {0, 10, ""},
-             "paints a rainbow halo of that strength, 8 to 10 degrees from the sun")
-      ->group(paint);
-  add_number(verb, "--redden", options->adjustment.redden, {-1, 1, ""}, "more red, less blue")->group(paint);
-  add_number(verb, "--lighten", options->adjustment.lighten, {0, 1000, ""}, "factor")->group(paint);
-  add_number(verb, "--contrast", options->adjustment.contrast, {0, 10, ""}, "power about the mean luminance")
-      ->group(paint);
-  add_number(verb, "--hue", options->hue, {-180, 180, "degrees"}, "turn about the grey axis")->group(paint);
-  verb.add_option("--pixel", options->pixel, "prints which cell colours this pixel of the picture")
-      ->group(tools)
-      ->type_name("X,Y");
-  verb.add_option("--cell", options->cell, "the cell, column and row from the top, whose pixels --highlight shows")
-      ->group(tools)
-      ->type_name("I,J");
-  verb.add_option("--highlight", options->highlight, "picture, .png or .exr: white where that cell colours it")
-      ->group(tools)
-      ->type_name("FILE");
-  verb.add_option("--discontinuities", options->discontinuities,
-                  "map of the table, .png or .exr: bright at edges that would show as lines in the sky")
-      ->group(tools)
-      ->type_name("FILE");
+      .excludes(table)
+      .type_name("WxH");
+  verb.option("--sun", options->sun, "where the sun stands: azimuth, elevation [degrees]")
+      .group(camera)
+      .type_name("A,E");
+  verb.option("--sun-pixel", options->sun_pixel, "or the pixel that shows it, from the left and from the top")
+      .group(camera)
+      .type_name("X,Y");
+  verb.option("--projection", options->projection, "equirectangular, fisheye or perspective (default equirectangular)")
+      .group(camera)
+      .type_name("NAME");
+  verb.number("--altitude", options->altitude, {0, 1e7, "m"}, "camera above the planet's lowest ground").group(camera);
+  verb.number("--camera-azimuth", options->azimuth, {-360, 360, "degrees"},
+              "middle of the picture, from north, clockwise")
+      .group(camera);
+  verb.number("--camera-elevation", options->elevation, {-90, 90, "degrees"},
+              "of its axis above the horizon (default 0, fisheye 90)")
+      .group(camera);
+  verb.number("--field-of-view", options->field_of_view, {0.1, 360, "degrees"},
+              "perspective: horizontal (default 90); fisheye: across the circle (default 180)")
+      .group(camera);
+  verb.number("--horizon", options->horizon, {-90, 90, "degrees"}, "elevation above which the picture shows sky")
+      .group(camera);
+  verb.number("--white", options->white, {1e-12, 1e12, ""},
+              "light of the picture that the table takes as 1 (default: 10000 cd/m2 of pictures of floats, a display's "
+              "white of others)")
+      .group(camera);
+  verb.number("--halo", options->halo, {0, 10, ""},
+              "paints a rainbow halo of that strength, 8 to 10 degrees from the sun")
+      .group(paint);
+  verb.number("--redden", options->adjustment.redden, {-1, 1, ""}, "more red, less blue").group(paint);
+  verb.number("--lighten", options->adjustment.lighten, {0, 1000, ""}, "factor").group(paint);
+  verb.number("--contrast", options->adjustment.contrast, {0, 10, ""}, "power about the mean luminance").group(paint);
+  verb.number("--hue", options->hue, {-180, 180, "degrees"}, "turn about the grey axis").group(paint);
+  verb.option("--pixel", options->pixel, "prints which cell colours this pixel of the picture")
+      .group(tools)
+      .type_name("X,Y");
+  verb.option("--cell", options->cell, "the cell, column and row from the top, whose pixels --highlight shows")
+      .group(tools)
+      .type_name("I,J");
+  verb.option("--highlight", options->highlight, "picture, .png or .exr: white where that cell colours it")
+      .group(tools)
+      .type_name("FILE");
+  verb.option("--discontinuities", options->discontinuities,
+              "map of the table, .png or .exr: bright at edges that would show as lines in the sky")
+      .group(tools)
+      .type_name("FILE");
   options->planet.add_to(verb);
-  verb.callback([options, &chosen] { chosen = [options] { return run_table(*options); }; });
+  verb.runs([options] { return run_table(*options); });
 }
 
 }  // namespace airlight::cli

@@ -1,13 +1,15 @@
 // `airlight render`: a picture of a landscape in real air, with its layers.
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <chrono>
 #include <memory>
 
+#include "command_line.h"
 #include "commands.h"
 #include "interrupt.h"
 #include "model_options.h"
-#include "number_option.h"
+#include "number.h"
 #include "progress.h"
 #include "scene_render.h"
 #include "scenefile/animation.h"
@@ -110,31 +112,29 @@ int run_render(const RenderOptions& options) {
 
 }  // namespace
 
-void add_render(CLI::App& app, Command& chosen) {
+void add_render(CommandLine& line) {
   const auto options = std::make_shared<RenderOptions>();
-  CLI::App& render = *app.add_subcommand("render", "A picture of a landscape in real air, from a scene file");
-  render.add_option("scene", options->scene, "scene to render, TOML (docs/scene_file.md)")
-      ->required()
-      ->type_name("FILE");
+  const Verb render = line.verb("render", "A picture of a landscape in real air, from a scene file");
+  render.option("scene", options->scene, "scene to render, TOML (docs/scene_file.md)").required().type_name("FILE");
   render
-      .add_option("-o,--output", options->outputs,
-                  "picture to write: .exr and .hdr linear in cd/m2, .png tone-mapped; may be repeated")
-      ->required()
-      ->allow_extra_args(false)
-      ->type_name("FILE");
-  auto* const frame =
-      render
-          .add_option("--frame", options->frame,
-                      "of a scene with key frames: this one, as sequence makes it, from 0 (default: the "
-                      "scene as it is written)")
-          ->type_name("N");
-  add_number(render, "--fps", options->frames_per_second, {0.001, 1000, "1/s"},
-             "frames a second, of key frames that are given by times")
-      ->needs(frame);
+      .option("-o,--output", options->outputs,
+              "picture to write: .exr and .hdr linear in cd/m2, .png tone-mapped; may be repeated")
+      .required()
+      .one_value_each()
+      .type_name("FILE");
+  const Option frame = render
+                           .option("--frame", options->frame,
+                                   "of a scene with key frames: this one, as sequence makes it, from 0 (default: the "
+                                   "scene as it is written)")
+                           .type_name("N");
+  render
+      .number("--fps", options->frames_per_second, {0.001, 1000, "1/s"},
+              "frames a second, of key frames that are given by times")
+      .needs(frame);
   options->picture.add_to(render);
-  for (CLI::Option* option : add_spectral_options(render, options->wavelengths, options->spectral, options->sensor))
-    option->excludes("--aov");
-  render.callback([options, &chosen] { chosen = [options] { return run_render(*options); }; });
+  for (const Option& option : add_spectral_options(render, options->wavelengths, options->spectral, options->sensor))
+    option.excludes(render.find("--aov"));
+  render.runs([options] { return run_render(*options); });
 }
 
 }  // namespace airlight::cli

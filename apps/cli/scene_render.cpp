@@ -12,7 +12,6 @@
 #include "interrupt.h"
 #include "model/model.h"
 #include "number.h"
-#include "number_option.h"
 #include "optics/colour.h"
 #include "parameter_pictures.h"
 
@@ -113,38 +112,35 @@ SceneOptions scene_options(const Scene& scene, bool sun_disc, const std::vector<
 
 constexpr char instead[] = "Instead of what the scene says";
 
-void ScenePictureOptions::add_picture_to(CLI::App& app) {
-  app.add_option("--size", size, "pixels, 1 .. 16384 a side, or the width alone")->group(instead)->type_name("WxH");
-  app.add_option("--samples", samples, "rays a pixel, a square number [1 .. 256]")->group(instead)->type_name("N");
-  app.add_option("--accumulate", accumulate,
-                 "mean of that many frames, clouds standing still: jetlag's pictures without their noise [1 .. 65536]")
-      ->group(instead)
-      ->type_name("N");
-  app.add_option("--exposure", exposure,
-                 "of a .png: auto, or EV, by which 1 cd/m2 is brightened by 2^EV [EV, -100 .. 100]")
-      ->group(instead)
-      ->type_name("EV");
-  app.add_option("--tone", tone, "tone curve of a .png: filmic, reinhard, clip, codeflow, sqrt, exponential")
-      ->group(instead)
-      ->type_name("NAME");
-  app.add_flag("--float", full_float, "32-bit .exr in place of half floats, which end at 65504 cd/m2");
-  app.add_flag("--no-sun", no_sun, "leave the sun's disc out");
-  add_engine(app, engine);
+void ScenePictureOptions::add_picture_to(const Verb& verb) {
+  verb.option("--size", size, "pixels, 1 .. 16384 a side, or the width alone").group(instead).type_name("WxH");
+  verb.option("--samples", samples, "rays a pixel, a square number [1 .. 256]").group(instead).type_name("N");
+  verb.option("--accumulate", accumulate,
+              "mean of that many frames, clouds standing still: jetlag's pictures without their noise [1 .. 65536]")
+      .group(instead)
+      .type_name("N");
+  verb.option("--exposure", exposure,
+              "of a .png: auto, or EV, by which 1 cd/m2 is brightened by 2^EV [EV, -100 .. 100]")
+      .group(instead)
+      .type_name("EV");
+  verb.option("--tone", tone, "tone curve of a .png: filmic, reinhard, clip, codeflow, sqrt, exponential")
+      .group(instead)
+      .type_name("NAME");
+  verb.flag("--float", full_float, "32-bit .exr in place of half floats, which end at 65504 cd/m2");
+  verb.flag("--no-sun", no_sun, "leave the sun's disc out");
+  add_engine(verb, engine);
 }
 
-void ScenePictureOptions::add_to(CLI::App& app) {
-  app.add_option(
-         "--aov", aov,
-         "layers of an .exr, which then is of 32-bit floats: all, or surface,transmittance,inscatter,depth,"
-         "position,normal,albedo,sun_visibility,sky_irradiance; and spectral, the first three at each of the four "
-         "wavelengths")
-      ->type_name("LIST");
-  app.add_option("--model", model, "model of the sky (shadows in the air need skyview)")
-      ->group(instead)
-      ->type_name("NAME");
-  own.add_to(app);
-  app.add_flag("--no-air-shadows", no_air_shadows, "land casts no shadows into the air")->group(instead);
-  add_picture_to(app);
+void ScenePictureOptions::add_to(const Verb& verb) {
+  verb.option("--aov", aov,
+              "layers of an .exr, which then is of 32-bit floats: all, or surface,transmittance,inscatter,depth,"
+              "position,normal,albedo,sun_visibility,sky_irradiance; and spectral, the first three at each of the four "
+              "wavelengths")
+      .type_name("LIST");
+  verb.option("--model", model, "model of the sky (shadows in the air need skyview)").group(instead).type_name("NAME");
+  own.add_to(verb);
+  verb.flag("--no-air-shadows", no_air_shadows, "land casts no shadows into the air").group(instead);
+  add_picture_to(verb);
 }
 
 void ScenePictureOptions::apply(Scene& scene) const {

@@ -1,6 +1,5 @@
 // What `render` and `sequence` share: the picture of a scene, with what the command line says instead of the scene.
 #pragma once
-#include <CLI/CLI.hpp>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -10,6 +9,7 @@
 #include <vector>
 
 #include "airlight/sky.h"
+#include "command_line.h"
 #include "lights.h"
 #include "model_options.h"
 #include "options.h"
@@ -33,9 +33,9 @@ struct ScenePictureOptions {
   std::optional<int> samples, accumulate;
   bool full_float = false, no_air_shadows = false, no_sun = false;
 
-  void add_to(CLI::App& app);
+  void add_to(const Verb& verb);
   /// Those that concern the picture itself: not its layers, not the model.
-  void add_picture_to(CLI::App& app);
+  void add_picture_to(const Verb& verb);
   /// @throws InputError
   void apply(Scene& scene) const;
   std::vector<Layer> layers() const;  ///< @throws InputError with "did you mean"

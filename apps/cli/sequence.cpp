@@ -1,6 +1,7 @@
 // `airlight sequence`: the frames of a scene that changes, as numbered pictures or as a movie.
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <filesystem>
@@ -10,6 +11,7 @@
 
 #include "airlight/error.h"
 #include "blended_frames.h"
+#include "command_line.h"
 #include "commands.h"
 #include "digest.h"
 #include "frame_names.h"
@@ -17,7 +19,6 @@
 #include "interrupt.h"
 #include "model_options.h"
 #include "movie.h"
-#include "number_option.h"
 #include "parameter_pictures.h"
 #include "progress.h"
 #include "scene_render.h"
@@ -286,40 +287,40 @@ class Sequence {
 
 }  // namespace
 
-void add_sequence(CLI::App& app, Command& chosen) {
+void add_sequence(CommandLine& line) {
   const auto options = std::make_shared<SequenceOptions>();
-  CLI::App& sequence =
-      *app.add_subcommand("sequence", "The frames of a scene that changes: time of day, key frames; a movie of them");
-  sequence.add_option("scene", options->scene, "scene with its key frames, TOML (docs/scene_file.md)")
-      ->required()
-      ->type_name("FILE");
+  const Verb sequence =
+      line.verb("sequence", "The frames of a scene that changes: time of day, key frames; a movie of them");
+  sequence.option("scene", options->scene, "scene with its key frames, TOML (docs/scene_file.md)")
+      .required()
+      .type_name("FILE");
   sequence
-      .add_option("-o,--output", options->outputs,
-                  "frames_%04d.exr or .png, the number in place of %04d; or a movie, .mp4, .mov or .mkv, which needs "
-                  "ffmpeg; may be repeated")
-      ->required()
-      ->allow_extra_args(false)
-      ->type_name("FILE");
+      .option("-o,--output", options->outputs,
+              "frames_%04d.exr or .png, the number in place of %04d; or a movie, .mp4, .mov or .mkv, which needs "
+              "ffmpeg; may be repeated")
+      .required()
+      .one_value_each()
+      .type_name("FILE");
   sequence
-      .add_option("--frames", options->frames,
-                  "how many, N; or FIRST:LAST of them, both made, counted from 0 (FIRST:LAST/N with --from)")
-      ->required()
-      ->type_name("N");
-  auto* const from = sequence
-                         .add_option("--from", options->from,
-                                     "the sun's time in the first frame: 2026-06-21T04:30Z, or 04:30, in UTC on the "
-                                     "day of the scene's own time")
-                         ->type_name("TIME");
-  auto* const to = sequence.add_option("--to", options->to, "the sun's time in the last frame")->type_name("TIME");
-  from->needs(to);
-  to->needs(from);
-  add_number(sequence, "--fps", options->frames_per_second, {0.001, 1000, "1/s"},
-             "frames a second, of a movie and of key frames that are given by times");
-  add_number(sequence, "--exposure-frame", options->exposure_frame, {0, 1e8, "frames"},
-             "the frame whose automatic exposure all get");
-  sequence.add_flag("--keep-frames", options->keep_frames, "leave the frames of a movie in MOVIE.frames/");
+      .option("--frames", options->frames,
+              "how many, N; or FIRST:LAST of them, both made, counted from 0 (FIRST:LAST/N with --from)")
+      .required()
+      .type_name("N");
+  const Option from = sequence
+                          .option("--from", options->from,
+                                  "the sun's time in the first frame: 2026-06-21T04:30Z, or 04:30, in UTC on the "
+                                  "day of the scene's own time")
+                          .type_name("TIME");
+  const Option to = sequence.option("--to", options->to, "the sun's time in the last frame").type_name("TIME");
+  from.needs(to);
+  to.needs(from);
+  sequence.number("--fps", options->frames_per_second, {0.001, 1000, "1/s"},
+                  "frames a second, of a movie and of key frames that are given by times");
+  sequence.number("--exposure-frame", options->exposure_frame, {0, 1e8, "frames"},
+                  "the frame whose automatic exposure all get");
+  sequence.flag("--keep-frames", options->keep_frames, "leave the frames of a movie in MOVIE.frames/");
   options->picture.add_to(sequence);
-  sequence.callback([options, &chosen] { chosen = [options] { return Sequence(*options).run(); }; });
+  sequence.runs([options] { return Sequence(*options).run(); });
 }
 
 }  // namespace airlight::cli

@@ -3,16 +3,18 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <memory>
 
 #include "airlight/error.h"
+#include "command_line.h"
 #include "commands.h"
 #include "interrupt.h"
 #include "lens.h"
 #include "model_options.h"
-#include "number_option.h"
+#include "number.h"
 #include "options.h"
 #include "parameter_pictures.h"
 #include "picture_outputs.h"
@@ -213,63 +215,63 @@ int run_sky(const SkyOptions& options) {
 
 }  // namespace
 
-void add_sky(CLI::App& app, Command& chosen) {
+void add_sky(CommandLine& line) {
   const auto options = std::make_shared<SkyOptions>();
-  CLI::App& sky = *app.add_subcommand("sky", "A picture of the sky for a place and time, or for a sun's position");
+  const Verb sky = line.verb("sky", "A picture of the sky for a place and time, or for a sun's position");
   const char* const camera = "Camera";
   const char* const picture = "Picture";
-  sky.add_option("-o,--output", options->outputs,
-                 "picture to write: .exr and .hdr linear in cd/m2, .png tone-mapped; may be repeated")
-      ->required()
-      ->allow_extra_args(false)
-      ->type_name("FILE");
-  sky.add_option("--projection", options->projection,
-                 "equirectangular, fisheye (equidistant), perspective, or cube: six faces side by side, east west "
-                 "north south up down "
-                 "(default equirectangular)")
-      ->group(camera)
-      ->type_name("NAME");
-  sky.add_option("--size", options->size,
-                 "pixels, 1 .. 65536 a side, or the width alone; cube: of one face, 1 .. 4096 (default 2048x1024, "
-                 "fisheye 1024, cube 512, "
-                 "perspective 1280x720)")
-      ->group(camera)
-      ->type_name("WxH");
-  add_number(sky, "--altitude", options->altitude, {lowest_altitude, highest_altitude, "m"}, "camera above the ground")
-      ->group(camera);
-  add_number(sky, "--camera-azimuth", options->azimuth, {-360, 360, "degrees"},
+  sky.option("-o,--output", options->outputs,
+             "picture to write: .exr and .hdr linear in cd/m2, .png tone-mapped; may be repeated")
+      .required()
+      .one_value_each()
+      .type_name("FILE");
+  sky.option("--projection", options->projection,
+             "equirectangular, fisheye (equidistant), perspective, or cube: six faces side by side, east west "
+             "north south up down "
+             "(default equirectangular)")
+      .group(camera)
+      .type_name("NAME");
+  sky.option("--size", options->size,
+             "pixels, 1 .. 65536 a side, or the width alone; cube: of one face, 1 .. 4096 (default 2048x1024, "
+             "fisheye 1024, cube 512, "
+             "perspective 1280x720)")
+      .group(camera)
+      .type_name("WxH");
+  sky.number("--altitude", options->altitude, {lowest_altitude, highest_altitude, "m"}, "camera above the ground")
+      .group(camera);
+  sky.number("--camera-azimuth", options->azimuth, {-360, 360, "degrees"},
              "middle of the picture, from north, clockwise")
-      ->group(camera);
-  add_number(sky, "--camera-elevation", options->elevation, {-90, 90, "degrees"},
+      .group(camera);
+  sky.number("--camera-elevation", options->elevation, {-90, 90, "degrees"},
              "axis of fisheye and perspective above the horizon (default 0, fisheye 90)")
-      ->group(camera);
-  add_number(sky, "--field-of-view", options->field_of_view, {0.1, 360, "degrees"},
+      .group(camera);
+  sky.number("--field-of-view", options->field_of_view, {0.1, 360, "degrees"},
              "perspective: horizontal, up to 170 (default 90); fisheye: across the circle, from 1 (default 180)")
-      ->group(camera);
-  sky.add_option(
+      .group(camera);
+  sky.option(
          "--exposure", options->exposure,
          "of a .png: auto, or EV, by which 1 cd/m2 is brightened by 2^EV [EV, -100 .. 100] (default auto; a published "
          "system's own)")
-      ->group(picture)
-      ->type_name("EV");
-  sky.add_option("--tone", options->tone,
-                 "tone curve of a .png: filmic, reinhard, clip, codeflow, sqrt, exponential (default filmic; a "
-                 "published system's own)")
-      ->group(picture)
-      ->type_name("NAME");
-  sky.add_flag("--float", options->full_float, "32-bit .exr in place of half floats, which end at 65504 cd/m2")
-      ->group(picture);
-  sky.add_flag("--no-sun", options->no_sun, "leave the sun's disc out")->group(picture);
-  for (CLI::Option* option : add_spectral_options(sky, options->wavelengths, options->spectral, options->sensor))
-    option->group(picture);
-  add_number(sky, "--target-error", options->target_error, {1e-4, 1, ""},
+      .group(picture)
+      .type_name("EV");
+  sky.option("--tone", options->tone,
+             "tone curve of a .png: filmic, reinhard, clip, codeflow, sqrt, exponential (default filmic; a "
+             "published system's own)")
+      .group(picture)
+      .type_name("NAME");
+  sky.flag("--float", options->full_float, "32-bit .exr in place of half floats, which end at 65504 cd/m2")
+      .group(picture);
+  sky.flag("--no-sun", options->no_sun, "leave the sun's disc out").group(picture);
+  for (const Option& option : add_spectral_options(sky, options->wavelengths, options->spectral, options->sensor))
+    option.group(picture);
+  sky.number("--target-error", options->target_error, {1e-4, 1, ""},
              "--model reference: walk until the median pixel's standard error / luminance is below (default 0.01)")
-      ->group(picture);
+      .group(picture);
   options->sun.add_to(sky);
   options->air.add_to(sky);
   options->machine.add_to(sky);
   options->own.add_to(sky);
-  sky.callback([options, &chosen] { chosen = [options] { return run_sky(*options); }; });
+  sky.runs([options] { return run_sky(*options); });
 }
 
 }  // namespace airlight::cli

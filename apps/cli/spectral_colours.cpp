@@ -37,17 +37,16 @@ std::vector<double> picture_wavelengths(const std::string& text) {
   return wavelengths;
 }
 
-std::vector<CLI::Option*> add_spectral_options(CLI::App& app, std::string& wavelengths, bool& spectral,
-                                               std::string& sensor) {
-  return {
-      app.add_option("--wavelengths", wavelengths,
-                     "4 (of real time), 8, 16, 40 (bins of 380 .. 780 nm), first:last:step as 360:830:10, or a list "
-                     "[nm] (default 4)")
-          ->type_name("LIST"),
-      app.add_flag("--spectral", spectral, "radiance at each wavelength as channels of the .exr, too"),
-      app.add_option("--sensor", sensor,
-                     "responses of a camera's three channels, CSV (wavelength,r,g,b), in place of the eye's")
-          ->type_name("FILE")};
+std::vector<Option> add_spectral_options(const Verb& verb, std::string& wavelengths, bool& spectral,
+                                         std::string& sensor) {
+  return {verb.option("--wavelengths", wavelengths,
+                      "4 (of real time), 8, 16, 40 (bins of 380 .. 780 nm), first:last:step as 360:830:10, or a list "
+                      "[nm] (default 4)")
+              .type_name("LIST"),
+          verb.flag("--spectral", spectral, "radiance at each wavelength as channels of the .exr, too"),
+          verb.option("--sensor", sensor,
+                      "responses of a camera's three channels, CSV (wavelength,r,g,b), in place of the eye's")
+              .type_name("FILE")};
 }
 
 SpectralColours::SpectralColours(const Sky& sky, std::span<const double> wavelengths, const std::string& sensor,

@@ -1,11 +1,11 @@
 // Pictures that keep their wavelengths, and the three channels of an eye or a camera that are made of them.
 #pragma once
-#include <CLI/CLI.hpp>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "airlight/sky.h"
+#include "command_line.h"
 #include "picture_outputs.h"
 
 namespace airlight::cli {
@@ -15,8 +15,8 @@ namespace airlight::cli {
 std::vector<double> picture_wavelengths(const std::string& text);
 
 /// --wavelengths, --spectral, --sensor
-std::vector<CLI::Option*> add_spectral_options(CLI::App& app, std::string& wavelengths, bool& spectral,
-                                               std::string& sensor);
+std::vector<Option> add_spectral_options(const Verb& verb, std::string& wavelengths, bool& spectral,
+                                         std::string& sensor);
 
 class SpectralColours {
  public:

@@ -8,10 +8,11 @@
 
 #include "airlight/error.h"
 #include "airlight/sky.h"
+#include "command_line.h"
 #include "commands.h"
 #include "image/output_file.h"
 #include "model_options.h"
-#include "number_option.h"
+#include "number.h"
 #include "optics/light_lift.h"
 #include "options.h"
 #include "scenefile/atmosphere_file.h"
@@ -132,29 +133,28 @@ int run_tables(const TablesOptions& options) {
 
 }  // namespace
 
-void add_tables(CLI::App& app, Command& chosen) {
+void add_tables(CommandLine& line) {
   const auto options = std::make_shared<TablesOptions>();
-  CLI::App& tables = *app.add_subcommand("tables", "A model's tables as EXR and JSON, for other engines");
+  const Verb tables = line.verb("tables", "A model's tables as EXR and JSON, for other engines");
   tables
-      .add_option(
-          "subject", options->subject,
-          "atmosphere: a built-in name or a file.toml; or a scene, for its air, its sun and its camera's altitude")
-      ->required()
-      ->type_name("AIR|SCENE");
-  tables.add_option("-o,--output", options->folder, "folder for the files; made where there is none")
-      ->required()
-      ->type_name("FOLDER");
-  add_number(tables, "--altitude", options->altitude, {0, highest_altitude, "m"},
-             "observer of the tables that are for one observer, inside the air (default 2, or the scene's camera)");
-  add_number(tables, "--sun-elevation", options->sun_elevation, {-90, 90, "degrees"},
-             "sun of these tables (default the scene's)");
-  add_number(tables, "--sun-azimuth", options->sun_azimuth, {-360, 360, "degrees"},
-             "from north, clockwise (default 0, or the scene's)");
+      .option("subject", options->subject,
+              "atmosphere: a built-in name or a file.toml; or a scene, for its air, its sun and its camera's altitude")
+      .required()
+      .type_name("AIR|SCENE");
+  tables.option("-o,--output", options->folder, "folder for the files; made where there is none")
+      .required()
+      .type_name("FOLDER");
+  tables.number("--altitude", options->altitude, {0, highest_altitude, "m"},
+                "observer of the tables that are for one observer, inside the air (default 2, or the scene's camera)");
+  tables.number("--sun-elevation", options->sun_elevation, {-90, 90, "degrees"},
+                "sun of these tables (default the scene's)");
+  tables.number("--sun-azimuth", options->sun_azimuth, {-360, 360, "degrees"},
+                "from north, clockwise (default 0, or the scene's)");
   add_air_overrides(tables, options->overrides);
-  tables.add_option("--model", options->model, "model of the sky (default skyview, or the scene's)")->type_name("NAME");
+  tables.option("--model", options->model, "model of the sky (default skyview, or the scene's)").type_name("NAME");
   options->own.add_to(tables);
   add_engine(tables, options->engine);
-  tables.callback([options, &chosen] { chosen = [options] { return run_tables(*options); }; });
+  tables.runs([options] { return run_tables(*options); });
 }
 
 }  // namespace airlight::cli

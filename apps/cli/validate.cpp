@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "airlight/error.h"
+#include "command_line.h"
 #include "commands.h"
 #include "options.h"
 #include "text_output.h"
@@ -27,38 +28,37 @@ void write_into_page(const std::string& page, const std::string& name, const std
   write_text(page, old.substr(0, from + 1) + text + old.substr(end));
 }
 
-void add_validate(CLI::App& app, Command& chosen) {
+void add_validate(CommandLine& line) {
   const auto options = std::make_shared<ValidateOptions>();
-  CLI::App& validate =
-      *app.add_subcommand("validate", "How wrong each model is, beside what it costs (docs/accuracy.md)");
+  const Verb validate = line.verb("validate", "How wrong each model is, beside what it costs (docs/accuracy.md)");
   validate
-      .add_option("-o,--output", options->folder,
-                  "folder for tables and chart; started again, an interrupted run goes on")
-      ->required()
-      ->type_name("DIR");
-  validate.add_flag("--quick", options->quick, "four of the yardstick's eight wavelengths");
+      .option("-o,--output", options->folder, "folder for tables and chart; started again, an interrupted run goes on")
+      .required()
+      .type_name("DIR");
+  validate.flag("--quick", options->quick, "four of the yardstick's eight wavelengths");
   validate
-      .add_option("--model", options->models,
-                  "judge this one, with parameters of its own after a colon; may be repeated (default all)")
-      ->allow_extra_args(false)
-      ->type_name("NAME[:KEY=VALUE,...]");
-  validate.add_flag("--measured", options->measured,
+      .option("--model", options->models,
+              "judge this one, with parameters of its own after a colon; may be repeated (default all)")
+      .one_value_each()
+      .type_name("NAME[:KEY=VALUE,...]");
+  const Option measured =
+      validate.flag("--measured", options->measured,
                     "compare with measured and published values instead; with --quick precomputed is asked at fewer "
                     "wavelengths; random walks where --model reference asks for them");
   validate
-      .add_flag("--spectrum", options->spectrum,
-                "colours of 3, 4, 8 and 16 wavelengths against 40 instead, and the best four with their matrix")
-      ->excludes("--measured");
-  validate.add_option("--data", options->data, "folder of Airlight's data (default data)")->type_name("DIR");
+      .flag("--spectrum", options->spectrum,
+            "colours of 3, 4, 8 and 16 wavelengths against 40 instead, and the best four with their matrix")
+      .excludes(measured);
+  validate.option("--data", options->data, "folder of Airlight's data (default data)").type_name("DIR");
   validate
-      .add_option("--against", options->against,
-                  "ledger.json of an earlier run: the same rays are asked, and a figure that became worse is a failure")
-      ->type_name("FILE");
-  validate.add_option("--page", options->page, "page (Markdown) whose part between marks is written anew")
-      ->type_name("FILE");
-  validate.callback([options, &chosen] {
+      .option("--against", options->against,
+              "ledger.json of an earlier run: the same rays are asked, and a figure that became worse is a failure")
+      .type_name("FILE");
+  validate.option("--page", options->page, "page (Markdown) whose part between marks is written anew")
+      .type_name("FILE");
+  validate.runs([options] {
     const auto part = options->measured ? validate_measured : options->spectrum ? validate_spectrum : validate_ledger;
-    chosen = [options, part] { return part(*options); };
+    return part(*options);
   });
 }
 

@@ -1,6 +1,7 @@
 // The part of `airlight validate` that compares with what was measured and published.
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>

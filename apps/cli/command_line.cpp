@@ -1,0 +1,93 @@
+#include "command_line.h"
+
+#include <fmt/core.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+
+#include "commands.h"
+
+namespace airlight::cli {
+
+Option Option::group(const std::string& heading) const { return Option(option_->group(heading)); }
+Option Option::type_name(const std::string& word) const { return Option(option_->type_name(word)); }
+Option Option::required() const { return Option(option_->required()); }
+Option Option::one_value_each() const { return Option(option_->allow_extra_args(false)); }
+Option Option::needs(const Option& other) const { return Option(option_->needs(other.option_)); }
+Option Option::excludes(const Option& other) const { return Option(option_->excludes(other.option_)); }
+
+Option Verb::option(const std::string& name, std::string& value, const std::string& help) const {
+  return Option(app_->add_option(name, value, help));
+}
+
+Option Verb::option(const std::string& name, std::optional<int>& value, const std::string& help) const {
+  return Option(app_->add_option(name, value, help));
+}
+
+Option Verb::option(const std::string& name, std::vector<std::string>& values, const std::string& help) const {
+  return Option(app_->add_option(name, values, help));
+}
+
+Option Verb::flag(const std::string& name, bool& value, const std::string& help) const {
+  return Option(app_->add_flag(name, value, help));
+}
+
+/// @param read  takes the text of the value
+static CLI::Option* add_number(CLI::App& app, const std::string& name, const Interval& interval,
+                               const std::string& help, const std::function<void(const std::string& text)>& read) {
+  const std::string range = fmt::format("{:g} .. {:g}", interval.low, interval.high);
+  return app
+      .add_option_function<std::string>(
+          name, read, fmt::format("{} [{}{}{}]", help, interval.unit, interval.unit.empty() ? "" : ", ", range))
+      ->type_name("NUMBER");
+}
+
+Option Verb::number(const std::string& name, double& value, const Interval& interval, const std::string& help) const {
+  const auto read = [&value, name, interval](const std::string& text) { value = parse_number(text, name, interval); };
+  return Option(add_number(*app_, name, interval, fmt::format("{} (default {:g})", help, value), read));
+}
+
+Option Verb::number(const std::string& name, int& value, const Interval& interval, const std::string& help) const {
+  const auto read = [&value, name, interval](const std::string& text) { value = parse_whole(text, name, interval); };
+  return Option(add_number(*app_, name, interval, fmt::format("{} (default {})", help, value), read));
+}
+
+Option Verb::number(const std::string& name, std::optional<double>& value, const Interval& interval,
+                    const std::string& help) const {
+  const auto read = [&value, name, interval](const std::string& text) { value = parse_number(text, name, interval); };
+  return Option(add_number(*app_, name, interval, help, read));
+}
+
+Option Verb::find(const std::string& name) const { return Option(app_->get_option(name)); }
+
+void Verb::runs(Command command) const {
+  app_->callback([command = std::move(command), chosen = chosen_] { *chosen = command; });
+}
+
+CommandLine::CommandLine(const std::string& program, const std::string& about, const std::string& version,
+                         const std::string& footer)
+    : app_(std::make_unique<CLI::App>(about, program)), footer_(footer) {
+  app_->set_version_flag("--version", version);
+  app_->require_subcommand(0, 1);  // an unknown word is then named in the message; none at all shows the help
+  app_->get_formatter()->column_width(38);
+}
+
+CommandLine::~CommandLine() = default;
+
+Verb CommandLine::verb(const std::string& name, const std::string& about) {
+  return {app_->add_subcommand(name, about), &chosen_};
+}
+
+int CommandLine::run(int argc, char** argv) {
+  app_->footer(footer_);  // after all verbs were made, which would inherit it
+  try {
+    app_->parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app_->exit(error) == 0 ? ok : bad_input;
+  }
+  if (chosen_) return chosen_();
+  std::fputs(app_->help().c_str(), stderr);
+  return bad_input;
+}
+
+}  // namespace airlight::cli
