@@ -79,7 +79,8 @@ std::vector<double> once(const Unfinished& unfinished, const std::string& part,
 void add_measured_sky(Report& report, const ValidateOptions& options, const std::vector<std::string>& names,
                       const Unfinished& unfinished) {
   const MeasuredSky sky = read_measured_sky(options.data + "/measured/measured_sky_20130527.json");
-  Answerers answerers = answerers_for(air_of_measured_sky());
+  Answerers answerers =
+      answerers_for(air_of_measured_sky(sky, read_standard_spectrum(options.data + "/measured/astm_g173.csv")));
   report.text +=
       "\nMeasured clear sky (Kider et al. 2014; air and error: data/measured/README.md), relative root mean square "
       "error; five scans,\n"

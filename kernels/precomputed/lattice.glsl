@@ -15,7 +15,7 @@ struct Lattice {
   Scalar zeniths;    // [1] in 2..32   zenith angles that light is sent into
   Scalar azimuths;   // [1] in 2..32   azimuths that light is sent into
   Scalar panels;     // [1] in 3..64   of a ray, as precomputed_march takes them, while the tables are made
-  Scalar pad1;       // [1] in 0..1
+  Scalar straight;   // [1] in 0..1    sine of half the angle within which light counts as scattered straight on
 };
 
 /// Place of a zenith cosine of the Sun among the lattice's, from 25 degrees below the horizon to the zenith [1]: half a degree apart

@@ -44,9 +44,10 @@ struct HostTable {
 };
 
 /// Light of all orders of scattering as passes: `light` that reaches the places of a lattice makes a `source` there and falls on the
-/// ground (`ground_light`), and of these two comes the light of the next order. What answers is `source` and `ground_light` of the sum.
+/// ground (`ground_light`), and of these two comes the light of the next order. `next_source` makes the source between two orders; what
+/// answers is `source` and `ground_light` of the sum.
 struct OrderPasses {
-  TablePass first_light, next_light, source, ground_light;
+  TablePass first_light, next_light, next_source, source, ground_light;
   std::string_view sum;     ///< of `light` and `others`
   std::string_view closed;  ///< `light_sum` with the orders still to come, as `light` and `light_before` let expect
 };

@@ -1,10 +1,17 @@
 // The fast solver that converges: light of the first order is marched along each ray, the other orders come from a lattice of
 // altitudes, Suns and directions, summed one by one (docs/models/precomputed.md). What it leaves out: polarisation, refraction, shadows
 // of land in the air; peaks of the second order that are sharper than its directions.
+#include <cmath>
+#include <numbers>
+
 #include "model/model.h"
 
 namespace airlight {
 namespace {
+
+/// Angle within which diffuse light that is scattered counts as not scattered [rad]: about a step of the lattice. With 20 degrees light goes
+/// too far in deep twilight, with 10 it is lost between directions (measured on the yardstick: Mars and Earth's haze).
+constexpr double straight = 16 * std::numbers::pi / 180;
 
 struct Sizes {
   int suns, altitudes, rings, sectors, zeniths, azimuths;
@@ -23,6 +30,8 @@ TablePass sized(std::string_view pass, Shape (*shape)(const Sizes&)) {
 Shape shape_of_light(const Sizes& s) { return {s.suns, s.altitudes * s.rings * s.sectors}; }
 Shape shape_of_source(const Sizes& s) { return {s.suns, s.altitudes * s.zeniths, s.azimuths}; }
 
+Shape shape_of_weights(const Sizes& s) { return {s.rings * s.sectors, s.altitudes * s.zeniths * s.azimuths}; }
+
 Fields fields(std::string_view argument, const Situation& situation) {
   if (argument == "march") return {{"panels", {situation.parameters ? situation.parameters->number("panels") : 16.0}}};
   if (argument != "lattice") return {};
@@ -33,7 +42,8 @@ Fields fields(std::string_view argument, const Situation& situation) {
           {"sectors", {double(s.sectors)}},
           {"zeniths", {double(s.zeniths)}},
           {"azimuths", {double(s.azimuths)}},
-          {"panels", {8}}};
+          {"panels", {8}},
+          {"straight", {std::sin(straight / 2)}}};
 }
 
 }  // namespace
@@ -48,14 +58,15 @@ Model precomputed_model() {
       .tables = {{"core.optical_depth", {512, 128}},
                  {"core.sunlight", {512, 128}},
                  {"precomputed.layers", {512, 5}},
+                 {"precomputed.forward", {4, 1}},
+                 {"precomputed.smooth_layers", {512, 5}},
+                 {"precomputed.darkness", {2, 2, 2}},
                  sized("precomputed.peaks",
                        [](const Sizes& s) {
                          return Shape{s.suns, s.altitudes};
                        }),
-                 sized("precomputed.weights",
-                       [](const Sizes& s) {
-                         return Shape{s.rings * s.sectors, s.altitudes * s.zeniths * s.azimuths};
-                       })},
+                 sized("precomputed.weights", shape_of_weights),
+                 sized("precomputed.smooth_weights", shape_of_weights)},
       .rays = "precomputed.rays",
       .transmittance = "precomputed.transmittance",
       .sky_light = "precomputed.sky_light",
@@ -64,6 +75,7 @@ Model precomputed_model() {
       .fields = fields,
       .orders = OrderPasses{.first_light = sized("precomputed.first_light", shape_of_light),
                             .next_light = sized("precomputed.next_light", shape_of_light),
+                            .next_source = sized("precomputed.smooth_source", shape_of_source),
                             .source = sized("precomputed.source", shape_of_source),
                             .ground_light = sized("precomputed.ground_light",
                                                   [](const Sizes& s) {

@@ -73,7 +73,7 @@ std::vector<Table> Binder::orders() const {
   const OrderPasses& passes = *model_.orders;
   std::vector<double> parameters;
   std::vector<Table> inputs;
-  for (const std::string_view name : {passes.first_light.pass, passes.source.pass}) {
+  for (const std::string_view name : {passes.first_light.pass, passes.next_source.pass, passes.source.pass}) {
     const PassInfo& pass = kernel_pass(name);
     for (const double number : this->parameters(pass, {})) parameters.push_back(number);
     for (const ArgumentInfo& argument : pass.tables) {

@@ -44,16 +44,16 @@ double share_done(int orders, double part, double part_before) {
 std::vector<Table> sum_orders(const Binder& binder, const OrderPasses& passes) {
   Binder b = binder;
   Table light = b.run_once(passes.first_light)[0], sum = light;
-  const auto scatter = [&](const Table& from) {
+  const auto scatter = [&](const Table& from, const TablePass& source) {
     b.set("light", from);
-    return std::vector<Table>{b.run_once(passes.source)[0], b.run_once(passes.ground_light)[0]};
+    return std::vector<Table>{b.run_once(source)[0], b.run_once(passes.ground_light)[0]};
   };
   double done = 0, part_before = 1;
   for (int order = 2;; ++order) {
     const Stage stage(b.engine(), done, 1.0);
     if (order > most_orders)
       throw WorkError("orders of scattering: the sum has not settled after " + std::to_string(most_orders));
-    const std::vector<Table> made = scatter(light);
+    const std::vector<Table> made = scatter(light, passes.next_source);
     b.set("source", made[0]);
     b.set("ground_light", made[1]);
     const Table next = b.run_once(passes.next_light)[0];
@@ -65,7 +65,7 @@ std::vector<Table> sum_orders(const Binder& binder, const OrderPasses& passes) {
       b.set("light_sum", sum);
       b.set("light_before", light);
       sum = b.run_once(passes.closed, sum.shape)[0];
-      return scatter(sum);
+      return scatter(sum, passes.source);
     }
     light = next;
     done = share_done(order, part, part_before);

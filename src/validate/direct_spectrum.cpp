@@ -1,12 +1,10 @@
 #include "validate/direct_spectrum.h"
 
 #include <cmath>
-#include <cstdio>
-#include <fstream>
 #include <vector>
 
-#include "airlight/error.h"
 #include "airlight/sky.h"
+#include "validate/standard_spectrum.h"
 
 namespace airlight::validation {
 namespace {
@@ -26,18 +24,13 @@ Atmosphere air_of_g173() {
 }  // namespace
 
 DirectSpectrumError compare_with_g173(const std::string& path) {
-  std::ifstream file(path);
-  std::string line;
-  if (!file || !std::getline(file, line)) throw InputError(path + ": cannot be read");
+  const StandardSpectrum standard = read_standard_spectrum(path);
   std::vector<double> wavelengths, above, direct;
-  for (int number = 2; std::getline(file, line); ++number) {
-    double w, e, g, d;
-    if (std::sscanf(line.c_str(), "%lf,%lf,%lf,%lf", &w, &e, &g, &d) != 4)
-      throw InputError(path + ":" + std::to_string(number) + ": expected four numbers");
-    if (!compared(w)) continue;
-    wavelengths.push_back(w);
-    above.push_back(e);
-    direct.push_back(d);
+  for (std::size_t i = 0; i < standard.wavelengths.size(); ++i) {
+    if (!compared(standard.wavelengths[i])) continue;
+    wavelengths.push_back(standard.wavelengths[i]);
+    above.push_back(standard.above[i]);
+    direct.push_back(standard.direct[i]);
   }
   const double sun = std::asin(1 / g173_air_mass);  // elevation; the standard's 48.2 degrees from the zenith
   const Ray ray{.altitude = 0, .view = direction(0, sun), .sun = direction(0, sun)};

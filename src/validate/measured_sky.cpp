@@ -22,8 +22,7 @@ MeasuredSky read_measured_sky(const std::string& path) try {
   const auto json = nlohmann::json::parse(file);
   MeasuredSky sky;
   const auto wrong = json.at("suspect_direction_indices").get<std::vector<std::size_t>>();
-  // A box begins at its stated wavelength, as those of data/solar_irradiance.csv do.
-  for (const double begin : json.at("wavelengths_nm")) sky.wavelengths.push_back(begin);
+  sky.wavelengths = json.at("wavelengths_nm").get<std::vector<double>>();
   const auto& directions = json.at("directions");
   for (const auto& set : json.at("sets")) {
     MeasuredSky::Scan scan{set.at("local_time_EDT"), 90 - set.at("sun_zenith_deg").get<double>(), {}, {}};
@@ -57,9 +56,14 @@ MeasuredSky at_every(const MeasuredSky& sky, std::size_t stride) {
   return part;
 }
 
-Atmosphere air_of_measured_sky() {
+Atmosphere air_of_measured_sky(const MeasuredSky& sky, const StandardSpectrum& standard) {
   Atmosphere air = built_in_atmosphere("earth");
   air.name = "earth, 27 May 2013 at Ithaca";
+  // The sun's lines change its light by a tenth from one box to the next: those of data/solar_irradiance.csv begin where these have
+  // their middles, and between two of them the lines would be washed out.
+  TableSpectrum sunlight{sky.wavelengths, {}, Sampling::point, ""};
+  for (const double centre : sky.wavelengths) sunlight.values.push_back(standard.above_in_box(centre - 5, centre + 5));
+  air.sun.irradiance = Spectrum(sunlight);
   air.planet.albedo = Spectrum(shipped_spectrum("grass_albedo.csv", Sampling::bins).value());
   for (Constituent& constituent : air.constituents) {
     if (constituent.name != "aerosol") continue;

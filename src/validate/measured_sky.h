@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "airlight/sky.h"
+#include "validate/standard_spectrum.h"
 
 namespace airlight::validation {
 
@@ -27,8 +28,10 @@ MeasuredSky read_measured_sky(const std::string& path);
 /// The same at every so many-th of its wavelengths.
 MeasuredSky at_every(const MeasuredSky& sky, std::size_t stride);
 
-/// The air of that day with one mode of aerosol (data/measured/README.md): Earth's molecules and ozone, grass on the ground.
-Atmosphere air_of_measured_sky();
+/// The air of that day with one mode of aerosol (data/measured/README.md): Earth's molecules and ozone, grass on the ground;
+/// sunlight in the boxes of the measurement, which have the stated wavelengths in their middles: only so the lines of sunlight are found
+/// in the sky where they are, within a nanometre.
+Atmosphere air_of_measured_sky(const MeasuredSky& sky, const StandardSpectrum& standard);
 
 /// Spectral radiance of rays, as Sky::evaluate gives it.
 using Radiance = std::function<std::vector<double>(std::span<const Ray>, const std::vector<double>& wavelengths)>;

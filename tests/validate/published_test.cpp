@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
 
 #include "validate/air_mass.h"
 #include "validate/direct_spectrum.h"
@@ -65,6 +66,31 @@ TEST(MeasuredSky, error_is_relative_to_what_was_measured) {
   EXPECT_EQ(part.wavelengths[3], sky.wavelengths[12]);
   EXPECT_EQ(part.scans[1].values.size(), 10u * 80);
   EXPECT_EQ(part.scans[1].values[23], sky.scans[1].values[2 * 37 + 12]);
+}
+
+/// Sunlight's lines are in the sky's light, too: what sky and sunlight have to each other is smooth, if both are taken in the same boxes.
+TEST(MeasuredSky, boxes_have_the_stated_wavelengths_in_their_middles) {
+  const MeasuredSky sky = read_measured_sky(AIRLIGHT_DATA "/measured/measured_sky_20130527.json");
+  const StandardSpectrum standard = read_standard_spectrum(AIRLIGHT_DATA "/measured/astm_g173.csv");
+  const std::size_t count = sky.wavelengths.size();
+  std::vector<double> measured(count, 0.0);
+  for (const auto& scan : sky.scans)
+    for (std::size_t i = 0; i < scan.values.size(); ++i) measured[i % count] += scan.values[i];
+  const auto roughness = [&](double shift) {
+    std::vector<double> ratio;  // up to 480 nm, where the air has no bands
+    for (std::size_t w = 0; sky.wavelengths[w] <= 480; ++w) {
+      const double middle = sky.wavelengths[w] + shift;
+      ratio.push_back(std::log(measured[w] / standard.above_in_box(middle - 5, middle + 5)));
+    }
+    double sum = 0;
+    for (std::size_t i = 3; i < ratio.size(); ++i)
+      sum += std::pow(ratio[i] - 3 * ratio[i - 1] + 3 * ratio[i - 2] - ratio[i - 3], 2);
+    return std::sqrt(sum);
+  };
+  // Two nanometres tell; half of a box, by which bins that begin at the stated wavelength would be off, is far.
+  EXPECT_LT(roughness(0), 0.7 * roughness(-2));
+  EXPECT_LT(roughness(0), 0.7 * roughness(2));
+  EXPECT_LT(roughness(0), 0.5 * roughness(5));
 }
 
 }  // namespace
