@@ -68,7 +68,7 @@ FN Vec4 precomputed_smooth_layers_pass(IN(Air) air, IN(GridSize) size, Table2 la
 }
 
 /// A `source` that sends no light, as before the first scattering.
-FN Vec4 precomputed_darkness_pass(Vec3 uvw) { return Vec4(80.0); }
+FN Vec4 precomputed_darkness_pass(Vec3 uvw) { return Vec4(80.0 + 0.0 * uvw.x); }
 
 /// What the phase functions towards the Sun (u), one a component, sum up to over the directions at an altitude (v) [1]: 1 but for
 /// what the directions miss of their peaks.
