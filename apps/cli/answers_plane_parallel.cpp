@@ -14,7 +14,7 @@ namespace {
 
 using reference::AddingDoubling;
 
-struct Air {
+struct LayeredAir {
   AddingDoubling solver;
   reference::Level level;
 };
@@ -24,7 +24,7 @@ class PlaneParallelAnswerer : public Answerer {
   bool has(const Asked& asked) const override { return asked.name == "radiance" || asked.name == "sky_irradiance"; }
 
   std::vector<Answer> answer(const Topic& topic, std::span<const Ray> rays) override {
-    const Air& air = of(topic.own);
+    const LayeredAir& air = of(topic.own);
     const bool irradiance = topic.asked->spectral == Quantity::sky_irradiance;
     if (irradiance && air.level == reference::Level::space)
       throw InputError("observer = space: sky_irradiance is that of the ground");
@@ -59,15 +59,15 @@ class PlaneParallelAnswerer : public Answerer {
   std::string engine() const override { return "adding and doubling (double)"; }
 
  private:
-  const Air& of(const std::string& own) {
+  const LayeredAir& of(const std::string& own) {
     if (const auto found = airs_.find(own); found != airs_.end()) return found->second;
     if (airs_.size() >= 64) airs_.clear();  // a batch may hold any number of airs
     const auto [air, from_space] = parse_plane_parallel(own);
     const auto level = from_space ? reference::Level::space : reference::Level::ground;
-    return airs_.emplace(own, Air{AddingDoubling(air), level}).first->second;
+    return airs_.emplace(own, LayeredAir{AddingDoubling(air), level}).first->second;
   }
 
-  std::map<std::string, Air> airs_;
+  std::map<std::string, LayeredAir> airs_;
 };
 
 }  // namespace

@@ -18,7 +18,7 @@
 namespace airlight::cli {
 namespace {
 
-constexpr std::string_view spectral = "spectral";
+constexpr std::string_view spectral_layer = "spectral";
 
 const std::vector<Layer>& all_layers() {
   const auto rgb = [](const char* name) {
@@ -41,9 +41,9 @@ const std::vector<Layer>& all_layers() {
                                       {"albedo", rgb("albedo"), &SceneRows::albedo},
                                       {"sun_visibility", {"sun_visibility"}, &SceneRows::sun_visibility},
                                       {"sky_irradiance", rgb("sky_irradiance"), &SceneRows::sky_irradiance},
-                                      {spectral, nm("surface"), &SceneRows::spectral_surface},
-                                      {spectral, nm("transmittance"), &SceneRows::spectral_transmittance},
-                                      {spectral, nm("inscatter"), &SceneRows::spectral_inscatter}};
+                                      {spectral_layer, nm("surface"), &SceneRows::spectral_surface},
+                                      {spectral_layer, nm("transmittance"), &SceneRows::spectral_transmittance},
+                                      {spectral_layer, nm("inscatter"), &SceneRows::spectral_inscatter}};
   return all;
 }
 
@@ -176,7 +176,7 @@ std::vector<Layer> ScenePictureOptions::layers() const {
   };
   for (const std::string_view word : comma_separated(aov)) {
     if (word == "all") {
-      add([](std::string_view name) { return name != spectral; });
+      add([](std::string_view name) { return name != spectral_layer; });
     } else {
       add([name = names[choose("--aov", word, names)]](std::string_view other) { return other == name; });
     }
@@ -276,7 +276,7 @@ void SceneShot::paint_sky(PictureOutputs& files, const std::function<void(double
 void SceneShot::paint(PictureOutputs& files, const std::vector<Layer>& layers,
                       const std::function<void(double)>& progress) const {
   const bool colours = model_info(sky_.model()).colours != nullptr;
-  if (colours && std::ranges::find(layers, spectral, &Layer::name) != layers.end())
+  if (colours && std::ranges::find(layers, spectral_layer, &Layer::name) != layers.end())
     throw InputError(fmt::format("--aov spectral: model {} draws in red, green and blue", sky_.model()));
   if (!renderer_) {
     if (!layers.empty())

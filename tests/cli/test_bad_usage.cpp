@@ -26,7 +26,7 @@ std::vector<std::string> output(const std::string& file) {
 std::vector<std::string> at(const std::string& place, const std::string& time) {
   return {"sky", "-o", "x.exr", "--place", place, "--time", time};
 }
-std::vector<std::string> probe(std::vector<std::string> more) {
+std::vector<std::string> probe_words(std::vector<std::string> more) {
   more.insert(more.begin(), {"probe", "--sun-elevation", "30"});
   return more;
 }
@@ -94,17 +94,17 @@ const std::vector<Bad>& bad_words() {
       {sky({"-o", "x.exr"}), {"-o", "twice"}},
       // probe
       {{"probe"}, {"--sun-elevation"}},
-      {probe({"--view-zenith", "200"}), {"--view-zenith = 200", "0 .. 180 degrees"}},
-      {probe({"--wavelengths", "900"}), {"900", "360", "830"}},
-      {probe({"--wavelengths", "440,,550"}), {"--wavelengths"}},
-      {probe({"--wavelengths", "700:400:50"}), {"700:400:50"}},
-      {probe({"--distance", "-1"}), {"--distance = -1"}},
-      {probe({"--max-order", "1.5"}), {"--max-order = 1.5", "whole"}},
+      {probe_words({"--view-zenith", "200"}), {"--view-zenith = 200", "0 .. 180 degrees"}},
+      {probe_words({"--wavelengths", "900"}), {"900", "360", "830"}},
+      {probe_words({"--wavelengths", "440,,550"}), {"--wavelengths"}},
+      {probe_words({"--wavelengths", "700:400:50"}), {"700:400:50"}},
+      {probe_words({"--distance", "-1"}), {"--distance = -1"}},
+      {probe_words({"--max-order", "1.5"}), {"--max-order = 1.5", "whole"}},
       {{"probe", "--batch", "missing.jsonl"}, {"missing.jsonl"}},
       {{"probe", "--batch", "."}, {"folder"}},
       {{"probe", "--batch", "-", "--view-zenith", "3"}, {"--batch", "--view-zenith"}},
       {{"probe", "--batch", "-", "--model", "nishita"}, {"--model = nishita", "single", "skyview"}},
-      {probe({"-o", "missing/x.txt"}), {"missing"}},
+      {probe_words({"-o", "missing/x.txt"}), {"missing"}},
       // eval and the lists
       {{"eval", "--engine", "dobule"}, {"dobule", "did you mean", "double"}},
       {{"eval", "--json"}, {"--list"}},

@@ -56,38 +56,39 @@ TEST(Transmittance, sees_a_thin_layer) {
   EXPECT_NEAR(optical_depth(a, {.view = towards(0)}), 1e-2 * (out - in), 1e-8);
 }
 
-const Ray rays[] = {
+const Ray short_and_long_rays[] = {
     {.altitude = 0, .view = towards(5, 30), .sun = towards(20), .distance = 90e3},
     {.altitude = 400e3, .view = towards(-19.5, 100), .sun = towards(3, 60), .distance = 3000e3},
     {.altitude = 9e3, .view = towards(-2, 200), .sun = towards(-4), .distance = 300e3},
     {.altitude = 30e3, .view = towards(-0.5), .sun = towards(-5, 70), .distance = 800e3},
 };
-Atmosphere mixture() {
+Atmosphere absorbing_mixture() {
   return with(with(with(vacuum(), ExponentialProfile{8000}, 1.2e-5, 0, RayleighPhase{0.03}), ExponentialProfile{1200},
                    6e-5, 1e-5, HenyeyGreensteinPhase{0.7}),
               TentProfile{25000, 15000}, 0, 3e-6);
 }
 
 TEST(Transmittance, is_multiplicative_along_a_ray) {
-  for (const Ray& ray : rays) {
+  for (const Ray& ray : short_and_long_rays) {
     Ray first = ray;
     first.distance = 0.37 * ray.distance;
-    EXPECT_NEAR(transmittance(mixture(), first) * transmittance(mixture(), moved(ray, first.distance, 6.371e6)),
-                transmittance(mixture(), ray), 1e-9);
+    EXPECT_NEAR(transmittance(absorbing_mixture(), first) *
+                    transmittance(absorbing_mixture(), moved(ray, first.distance, 6.371e6)),
+                transmittance(absorbing_mixture(), ray), 1e-9);
   }
 }
 
 TEST(Transmittance, is_the_same_both_ways) {
-  for (const Ray& ray : rays) {
+  for (const Ray& ray : short_and_long_rays) {
     Ray back = moved(ray, ray.distance, 6.371e6);
     for (double& component : back.view) component = -component;
     back.distance = ray.distance;
-    EXPECT_NEAR(transmittance(mixture(), back), transmittance(mixture(), ray), 1e-9);
+    EXPECT_NEAR(transmittance(absorbing_mixture(), back), transmittance(absorbing_mixture(), ray), 1e-9);
   }
 }
 
 TEST(Transmittance, is_one_outside_the_air) {
-  const Atmosphere a = mixture();
+  const Atmosphere a = absorbing_mixture();
   EXPECT_EQ(transmittance(a, {.altitude = 400e3, .view = towards(10)}), 1);
   EXPECT_EQ(transmittance(a, {.altitude = 400e3, .view = towards(-60), .distance = 200e3}), 1);
   EXPECT_EQ(transmittance(a, {.altitude = 1e9, .view = towards(-80)}), 1);
@@ -110,7 +111,7 @@ TEST(Transmittance, ends_at_the_ground) {
 }
 
 TEST(Transmittance, refuses_rays_that_are_none) {
-  const SingleScattering solver(mixture());
+  const SingleScattering solver(absorbing_mixture());
   const auto refuse = [&](const Ray& ray, const std::string& key) {
     try {
       solver.along(ray, {&wavelength, 1});

@@ -12,7 +12,7 @@ namespace airlight {
 namespace {
 
 // Each case changes one line of a good file, or adds some.
-const std::vector<std::string> good{
+const std::vector<std::string> good_scene{
     "air = \"earth\"",         // 1
     "place = \"46.5,7.5\"",    // 2
     "[camera]",                // 3
@@ -32,7 +32,7 @@ const std::vector<std::string> good{
     "samples = 4",             // 17
 };
 
-TEST(BadScenes, the_good_one_is_good) { EXPECT_NO_THROW(parse_scene(with_line(good, 0, ""), "s.toml")); }
+TEST(BadScenes, the_good_one_is_good) { EXPECT_NO_THROW(parse_scene(with_line(good_scene, 0, ""), "s.toml")); }
 
 TEST(BadScenes, get_file_line_key_value_and_range) {
   const std::vector<BadLine> cases{
@@ -115,7 +115,7 @@ TEST(BadScenes, get_file_line_key_value_and_range) {
       {17, "tone = \"film\"", {"s.toml:17: ", "picture.tone = \"film\": unknown"}},
   };
   EXPECT_GE(cases.size(), 40u);
-  expect_refused(good, cases, [](const std::string& text) { parse_scene(text, "s.toml"); });
+  expect_refused(good_scene, cases, [](const std::string& text) { parse_scene(text, "s.toml"); });
 }
 
 }  // namespace
