@@ -1,7 +1,7 @@
 // airlight_bench: checks each answer, then times it.
 #include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
+#include <algorithm>
 #include <fstream>
 
 #include "benchmarks.h"
@@ -43,20 +43,40 @@ int run(const std::string& json, bool check, const std::vector<std::string>& cho
 }  // namespace
 }  // namespace airlight::bench
 
+namespace {
+
+constexpr char usage[] =
+    "usage: airlight_bench [--check] [--json FILE] [march|tables|pictures|published|rays|precomputed|command]...\n"
+    "Checks each answer, then times it, in processor time; all benchmarks where none is named, and always the "
+    "machine's "
+    "limits.\n"
+    "  --check  only check the answers, at reduced size; nothing is timed\n"
+    "  --json   write the table there too\n"
+    "Exit code 1: an answer is wrong, or a required figure is missed.\n";
+
+}  // namespace
+
 int main(int argc, char** argv) {
-  CLI::App app(
-      "Checks each answer, then times it, in processor time. Exit code 1: an answer is wrong, or a required figure is "
-      "missed.");
+  using airlight::bench::benchmarks;
   std::string json;
   bool check = false;
   std::vector<std::string> chosen;
-  app.add_option("--json", json, "write the table there too")->type_name("FILE");
-  app.add_flag("--check", check, "only check the answers, at reduced size; nothing is timed");
-  app.add_option("benchmark", chosen,
-                 "march, tables, pictures, published, rays, precomputed, command (default all); the machine's limits "
-                 "are always measured")
-      ->check(CLI::IsMember(airlight::bench::benchmarks));
-  CLI11_PARSE(app, argc, argv);
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = argv[i];
+    if (word == "--help" || word == "-h") {
+      fmt::print("{}", usage);
+      return 0;
+    } else if (word == "--check") {
+      check = true;
+    } else if (word == "--json" && i + 1 < argc) {
+      json = argv[++i];
+    } else if (std::ranges::find(benchmarks, word) != benchmarks.end()) {
+      chosen.push_back(word);
+    } else {
+      fmt::print(stderr, "airlight_bench: {}: unknown, or without its value\n{}", word, usage);
+      return 2;
+    }
+  }
   try {
     return airlight::bench::run(json, check, chosen);
   } catch (const std::exception& error) {
