@@ -1,8 +1,11 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
+#include <random>
+#include <utility>
 
 #include "airlight/error.h"
 #include "airlight/sky.h"
@@ -38,32 +41,54 @@ TEST(Precomputed, light_of_all_orders_is_that_of_random_walks) {
   for (std::size_t i = 0; i < truth.size(); ++i) EXPECT_NEAR(got[i] / truth[i], 1, tolerance) << "value " << i;
 }
 
+/// What lies behind a ray's end, in that place's own frame.
+Ray rest_of(const Ray& ray, double ground_radius) {
+  const double x = ray.view[0] * ray.distance, y = ray.view[1] * ray.distance,
+               z = ground_radius + ray.altitude + ray.view[2] * ray.distance;
+  const double height = std::sqrt(x * x + y * y + z * z);
+  const Direction up{x / height, y / height, z / height};
+  const auto dot = [](const Direction& a, const Direction& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; };
+  const Direction& v = ray.view;
+  const double along = dot(v, up), across = std::sqrt(1 - along * along);
+  const Direction e{(v[0] - along * up[0]) / across, (v[1] - along * up[1]) / across, (v[2] - along * up[2]) / across};
+  const Direction n{up[1] * e[2] - up[2] * e[1], up[2] * e[0] - up[0] * e[2], up[0] * e[1] - up[1] * e[0]};
+  return {height - ground_radius, {across, 0, along}, {dot(ray.sun, e), dot(ray.sun, n), dot(ray.sun, up)}};
+}
+
+/// How far the light of segments plus that of the rests is from the light of the whole rays, value by value.
+std::vector<double> gaps(const Sky& sky, const std::vector<Ray>& segments) {
+  std::vector<Ray> whole = segments, rest;
+  for (Ray& ray : whole) ray.distance = std::numeric_limits<double>::infinity();
+  for (const Ray& ray : segments) rest.push_back(rest_of(ray, built_in_atmosphere("earth").planet.ground_radius));
+  const auto all = ask(sky, whole), begin = ask(sky, segments, Quantity::path_radiance),
+             through = ask(sky, segments, Quantity::transmittance), end = ask(sky, rest);
+  std::vector<double> found;
+  for (std::size_t i = 0; i < all.size(); ++i) found.push_back((begin[i] + through[i] * end[i]) / all[i] - 1);
+  return found;
+}
+
 TEST(Precomputed, a_segment_and_the_rest_of_its_ray_are_the_whole) {
   const Sky sky = sky_over(built_in_atmosphere("earth"));
-  for (const double sun : {40.0, 3.0, -5.0}) {
-    for (const double elevation : {30.0, 1.0}) {
-      const Ray whole{0, toward(70, elevation), toward(0, sun)};
-      Ray segment = whole;
-      segment.distance = 20e3;
-      // Where the segment ends, in that place's own frame.
-      const double r = built_in_atmosphere("earth").planet.ground_radius, d = segment.distance;
-      const double x = whole.view[0] * d, y = whole.view[1] * d, z = r + whole.view[2] * d;
-      const double height = std::sqrt(x * x + y * y + z * z);
-      const Direction up{x / height, y / height, z / height};
-      const auto dot = [](const Direction& a, const Direction& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; };
-      const Direction& v = whole.view;
-      const double along = dot(v, up), across = std::sqrt(1 - along * along);
-      const Direction e{(v[0] - along * up[0]) / across, (v[1] - along * up[1]) / across,
-                        (v[2] - along * up[2]) / across};
-      const Direction n{up[1] * e[2] - up[2] * e[1], up[2] * e[0] - up[0] * e[2], up[0] * e[1] - up[1] * e[0]};
-      const Ray rest{height - r, {across, 0, along}, {dot(whole.sun, e), dot(whole.sun, n), dot(whole.sun, up)}};
-      const auto all = ask(sky, {whole}), begin = ask(sky, {segment}, Quantity::path_radiance),
-                 through = ask(sky, {segment}, Quantity::transmittance), end = ask(sky, {rest});
-      // Gauss points fall elsewhere on the pieces: the rule's own error, 0.6 % where a step at 390 nm is optically thick.
-      for (std::size_t w = 0; w < wavelengths.size(); ++w)
-        EXPECT_NEAR((begin[w] + through[w] * end[w]) / all[w], 1, 1e-2)
-            << "sun " << sun << ", view " << elevation << ", " << wavelengths[w] << " nm";
-    }
+  std::vector<Ray> segments;
+  for (const double sun : {40.0, 3.0, -5.0})
+    for (const double elevation : {30.0, 1.0}) segments.push_back({0, toward(70, elevation), toward(0, sun), 20e3});
+  // Gauss points fall elsewhere on the pieces: the rule's own error, 0.6 % where a step at 390 nm is optically thick.
+  for (const double gap : gaps(sky, segments)) EXPECT_NEAR(gap, 0, 1e-2);
+  if (!full()) return;
+
+  std::mt19937 random(1);
+  const auto between = [&](double low, double high) { return std::uniform_real_distribution(low, high)(random); };
+  for (const auto& [sun, tolerance] : {std::pair{40.0, 0.005}, {3.0, 0.005}, {-2.0, 0.005}, {-6.0, 0.01}}) {
+    segments.clear();
+    while (segments.size() < 1000)
+      segments.push_back({between(0, 1) < 0.5 ? 2.0 : 10e3, toward(between(0, 180), std::exp(between(-4, 4.4))),
+                          toward(0, sun), std::exp(between(std::log(100), std::log(1e5)))});
+    // The project's bound, which one value in a hundred may miss (few do); in deep dusk twice as much.
+    std::vector<double> sizes = gaps(sky, segments);
+    for (double& gap : sizes) gap = std::abs(gap);
+    std::ranges::sort(sizes);
+    EXPECT_LT(sizes[sizes.size() * 99 / 100], tolerance) << "sun " << sun;
+    EXPECT_LT(sizes.back(), 4 * tolerance) << "sun " << sun;
   }
 }
 
