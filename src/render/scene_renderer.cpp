@@ -187,7 +187,8 @@ struct SceneRenderer::Impl {
     return faces[face](across - double(face), v);
   }
 
-  // The samples of a strip, one after the other, pixel by pixel. One object serves all strips.
+  // The samples of a strip, one after the other, pixel by pixel, each column from the top: neighbours in all directions then share packets
+  // of rays and of lanes. One object serves all strips.
   struct Samples {
     std::vector<Sight> sights;
     std::vector<char> inside;
@@ -215,7 +216,8 @@ struct SceneRenderer::Impl {
     s.inside.resize(count);
     in_parallel(count, [&](std::size_t i) {
       const std::size_t nth = i / std::size_t(samples), sample = i % std::size_t(samples);
-      const double x = double(nth % std::size_t(width)), y = double(begin) + double(nth / std::size_t(width));
+      const std::size_t rows = std::size_t(end - begin);
+      const double x = double(nth / rows), y = double(begin) + double(nth % rows);
       const double dx = (double(sample % std::size_t(side)) + 0.5) / side,
                    dy = (double(sample / std::size_t(side)) + 0.5) / side;
       const std::optional<Direction> seen = look((x + dx) / width, (y + dy) / camera.height);
@@ -469,7 +471,8 @@ struct SceneRenderer::Impl {
     out.rgb.resize(3 * pixels);
     in_parallel(pixels, [&](std::size_t p) {
       std::array<double, 4> seen{};
-      for (std::size_t i = p * per_pixel; i < (p + 1) * per_pixel; ++i) {
+      const std::size_t first = first_sample(out, p);
+      for (std::size_t i = first; i < first + per_pixel; ++i) {
         if (!s.inside[i]) continue;
         const std::array<double, 4> light = behind(s, i);
         const double *inscatter = &s.inscatter[channels * std::size_t(s.nth_in_air[i])],
@@ -480,6 +483,12 @@ struct SceneRenderer::Impl {
     });
     if (layers) fill_layers(s, out);
     return out;
+  }
+
+  // Of a pixel, counted along rows.
+  std::size_t first_sample(const SceneRows& out, std::size_t pixel) const {
+    const auto x = pixel % std::size_t(width), y = pixel / std::size_t(width), rows = std::size_t(out.end - out.begin);
+    return (x * rows + y) * std::size_t(samples);
   }
 
   static void put(std::vector<float>& layer, std::size_t pixel, const std::array<double, 3>& value, double factor) {
@@ -505,7 +514,8 @@ struct SceneRenderer::Impl {
       std::array<double, 4> surface{}, arriving{}, through{}, inscatter{}, skylight{}, reflected{};
       double distance = 0, visible = 0, hits = 0;
       Direction position{}, normal{};
-      for (std::size_t i = p * per_pixel; i < (p + 1) * per_pixel; ++i) {
+      const std::size_t first = first_sample(out, p);
+      for (std::size_t i = first; i < first + per_pixel; ++i) {
         if (!s.inside[i]) continue;
         const std::array<double, 4> light = behind(s, i);
         const auto in_air = std::size_t(s.nth_in_air[i]);

@@ -68,6 +68,9 @@ struct Land::Impl {
 
   Impl(LandSettings s, double radius) : settings(std::move(s)), frame(radius) {}
 
+  /// Width [m] over which relief rises beyond a file's outline.
+  double relief_rises() const { return settings.relief ? 0.5 * settings.relief->wavelength : 0; }
+
   /// How a place gets its altitude: (height of files) + relief * share of relief, then towards the plain.
   struct Mixture {
     double height, relief_share, land_share;
@@ -78,10 +81,8 @@ struct Land::Impl {
     if (from_edge <= 0) return {plain, 0, 0};
     double height = plain, cover = 0, outside = 1e9;
     for (const Layer& layer : layers) {
-      // Farther off than it has a say.
-      if (layer.away(east, north) >
-          2 * std::max(layer.settings.blend, settings.relief ? settings.relief->wavelength : 0))
-        continue;
+      // Farther off than it has a say; a tenth more, since its pixels are not quite as long everywhere as in its middle.
+      if (layer.away(east, north) > 1.1 * std::max(layer.settings.blend, relief_rises())) continue;
       const auto p = layer.map.pixel(east, north);
       const double inside = layer.inside(p);
       outside = std::min(outside, -inside);
@@ -95,8 +96,7 @@ struct Land::Impl {
       cover = std::max(cover, over_plain);
     }
     const bool relieved = settings.relief && cover < 1;
-    return {height, relieved ? smooth_step(outside / (0.5 * settings.relief->wavelength)) : 0,
-            smooth_step(from_edge / (0.1 * extent))};
+    return {height, relieved ? smooth_step(outside / relief_rises()) : 0, smooth_step(from_edge / (0.1 * extent))};
   }
 
   void altitudes(std::span<const std::array<double, 2>> places, double cell, std::span<double> out) const {

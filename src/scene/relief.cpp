@@ -61,6 +61,16 @@ struct Ribs {
   }
 };
 
+constexpr float mean_cut = 0.3f;  ///< that gullies take from a slope on the whole, as a part of their depth
+
+/// Depth of gullies on a slope, in [0, 1]. Where the fall line turns round, gullies that follow it would be cut across, into blades:
+/// floors hold none, and crests, level or running downhill, are notched without regard to it.
+/// @param steepness2  squared slope
+/// @param turns       how fast the fall line turns, on the same scale
+AIRLIGHT_INLINE float gullied(float steepness2, float turns) {
+  return steepness2 * steepness2 / ((0.5f + steepness2) * (steepness2 + turns + 1e-9f));
+}
+
 /// 0 where a wave is shorter than two cells, 1 from four cells on.
 float resolved(double wavelength, double cell) {
   return cell > 0 ? float(std::clamp(wavelength / (2 * cell) - 1, 0.0, 1.0)) : 1.0f;
@@ -101,26 +111,30 @@ void relief_lanes(const ReliefSettings& settings, double cell, float* x, float* 
   frequency = 3.1f;
   float depth = 0.085f * float(0.4 + 1.2 * settings.ruggedness);
   for (std::uint32_t octave = 0; octave < 8; ++octave) {
-    const float turning = 30 * depth, kept = depth * resolved(settings.wavelength / double(frequency), cell);
-    if (kept == 0) break;
-    float down_x[lanes], down_y[lanes];
-    for (int l = 0; l < lanes; ++l) {
-      const float downhill = -1 / std::sqrt(std::max(slope_x[l] * slope_x[l] + slope_y[l] * slope_y[l], 1e-12f));
-      down_x[l] = slope_x[l] * downhill, down_y[l] = slope_y[l] * downhill;
-    }
-    const Ribs ribs(x, y, down_x, down_y, frequency, seed + 100 + octave);
-    for (int l = 0; l < lanes; ++l) {
-      const float steepness2 = slope_x[l] * slope_x[l] + slope_y[l] * slope_y[l];
-      // Where the fall line turns round, gullies that follow it would be cut across, into blades: floors hold none, and crests,
-      // level or running downhill, are notched without regard to it.
-      const float turns = turning * crest2[l];
-      const float cut = kept * steepness2 / (0.5f + steepness2) * steepness2 / (steepness2 + turns + 1e-9f);
-      const float notch = 1.6f * kept * crest2[l] / (0.3f + crest2[l]);
-      const Slope crag = ridge(frequency * x[l], frequency * y[l], seed + 200 + octave).slope;
-      height[l] += cut * (ribs.height[l] - 0.3f) + notch * (crag.height - 0.7f);
-      const float across = 0.7f * cut * ribs.across_slope[l] * frequency;
-      slope_x[l] += notch * crag.x * frequency - across * down_y[l];
-      slope_y[l] += notch * crag.y * frequency + across * down_x[l];
+    const float kept = resolved(settings.wavelength / double(frequency), cell);
+    if (kept == 0) {
+      // What gullies take away on the whole is gone all the same, else coarse ridges would hide what lies behind fine ones.
+      for (int l = 0; l < lanes; ++l) {
+        const float steepness2 = slope_x[l] * slope_x[l] + slope_y[l] * slope_y[l];
+        height[l] -= mean_cut * depth * gullied(steepness2, 30 * depth * crest2[l]);
+      }
+    } else {
+      float down_x[lanes], down_y[lanes];
+      for (int l = 0; l < lanes; ++l) {
+        const float downhill = -1 / std::sqrt(std::max(slope_x[l] * slope_x[l] + slope_y[l] * slope_y[l], 1e-12f));
+        down_x[l] = slope_x[l] * downhill, down_y[l] = slope_y[l] * downhill;
+      }
+      const Ribs ribs(x, y, down_x, down_y, frequency, seed + 100 + octave);
+      for (int l = 0; l < lanes; ++l) {
+        const float steepness2 = slope_x[l] * slope_x[l] + slope_y[l] * slope_y[l];
+        const float cut = depth * gullied(steepness2, 30 * depth * crest2[l]);
+        const float notch = 1.6f * kept * depth * crest2[l] / (0.3f + crest2[l]);
+        const Slope crag = ridge(frequency * x[l], frequency * y[l], seed + 200 + octave).slope;
+        height[l] += cut * (kept * ribs.height[l] - mean_cut) + notch * (crag.height - 0.7f);
+        const float across = 0.7f * kept * cut * ribs.across_slope[l] * frequency;
+        slope_x[l] += notch * crag.x * frequency - across * down_y[l];
+        slope_y[l] += notch * crag.y * frequency + across * down_x[l];
+      }
     }
     frequency *= 1.83f, depth *= 0.53f;
   }

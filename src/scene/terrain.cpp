@@ -309,28 +309,35 @@ void in_packets(std::size_t count, const Work& work) {
   });
 }
 
-constexpr double draft_pixels = 16;
+constexpr double draft_pixels = 16;  // side of a draft's triangles, in those of the final ones
+constexpr double look_pixels = 8;    // between the draft's rays
 
 /// Foreshortening of parts of a tree's leaves, from the number of rays that meet them; those beside one that is met count as hardly
 /// seen, since the draft's ridges are not quite the final ones.
 std::vector<float> stretches(const Terrain& terrain, const TileTree& tree, const LevelOfDetail& detail) {
-  // Directions spread evenly over the cone: a golden-angle spiral (Vogel 1979), about one a draft's pixel.
-  const double cap = 1 - std::cos(std::min(detail.half_angle, std::numbers::pi));
-  const double pixel = draft_pixels * detail.pixel_angle;
-  const auto count = std::size_t(std::clamp(2 * std::numbers::pi * cap / (pixel * pixel), 1e3, 1e6));
+  // Directions spread evenly over the cone, ring by ring so that packets of them are narrow; dense enough for a far range that shows as a
+  // strip above a near one.
+  constexpr double most_rays = 1e6;
+  const double half_angle = std::min(detail.half_angle, std::numbers::pi), cap = 1 - std::cos(half_angle);
+  const double apart = std::max(look_pixels * detail.pixel_angle, std::sqrt(2 * std::numbers::pi * cap / most_rays));
   const Direction& axis = detail.axis;
   const Direction side = std::abs(axis[2]) < 0.9 ? Direction{axis[1], -axis[0], 0} : Direction{0, axis[2], -axis[1]};
   const double length = std::sqrt(dot(side, side));
   const Direction right{side[0] / length, side[1] / length, side[2] / length};
   const Direction up{right[1] * axis[2] - right[2] * axis[1], right[2] * axis[0] - right[0] * axis[2],
                      right[0] * axis[1] - right[1] * axis[0]};
-  std::vector<SceneRay> rays(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    const double versine = cap * (double(i) + 0.5) / double(count), turn = double(i) * 2.399963229728653;
-    const double sine = std::sqrt(versine * (2 - versine));
-    rays[i] = {detail.eye, along(along(along({0, 0, 0}, axis, 1 - versine), right, sine * std::cos(turn)), up,
-                                 sine * std::sin(turn))};
+  std::vector<SceneRay> rays;
+  const int rings = std::max(1, int(std::ceil(half_angle / apart)));
+  for (int ring = 0; ring < rings; ++ring) {
+    const double angle = (ring + 0.5) * half_angle / rings, sine = std::sin(angle), cosine = std::cos(angle);
+    const int around = std::max(1, int(std::ceil(2 * std::numbers::pi * sine / apart)));
+    for (int i = 0; i < around; ++i) {
+      const double turn = 2 * std::numbers::pi * i / around;
+      rays.push_back({detail.eye, along(along(along({0, 0, 0}, axis, cosine), right, sine * std::cos(turn)), up,
+                                        sine * std::sin(turn))});
+    }
   }
+  const std::size_t count = rays.size();
   std::vector<TerrainHit> hits(count);
   terrain.hits(rays, hits);
   constexpr float most = 2;  // even edge-on, a ridge's outline is wanted
@@ -357,8 +364,7 @@ std::vector<float> stretches(const Terrain& terrain, const TileTree& tree, const
         const int beside = draft.part_at(x + i * width, y + j * width);
         if (beside < 0) continue;
         float& stretch = draft.stretch[std::size_t(beside)];
-        const float hardly = float(std::max({std::abs(i), std::abs(j), 1})) * most;
-        stretch = stretch > 0 ? std::min(stretch, hardly) : hardly;
+        if (stretch == 0) stretch = most;
       }
     }
   }

@@ -18,12 +18,12 @@ struct Tile {
 /// Corners of cells of all levels lie on one integer lattice, so that two tiles mean the same point by the same numbers.
 class TileTree {
  public:
-  static constexpr int tile_cells = 32;
+  static constexpr int tile_cells = 16;
 
   /// A coarser tree, and for each part of its leaves (`parts` x `parts` a leaf, from the south-west, east fastest) how much greater
   /// than a pixel cells may be there: 1 for ground seen face to face, more for what is foreshortened, 0 for what is hidden.
   struct Draft {
-    static constexpr int parts = 8;
+    static constexpr int parts = 4;
     const TileTree* tree;
     std::vector<float> stretch;
 

@@ -198,9 +198,10 @@ TEST(Terrain, no_ray_below_the_horizon_misses_and_none_falls_through_a_seam) {
             tree.cell(tree.level_at(tree.lattice(hits[i].ground.east), tree.lattice(hits[i].ground.north)));
         const double expected = land->altitude(hits[i].ground.east, hits[i].ground.north, cell);
         EXPECT_NEAR(hits[i].ground.altitude, expected, 2.5 * cell + 1);
-        // On the very edge the flange begins at the surface itself, and floats cannot tell which is first.
+        // On the very edge the flange begins at the surface itself, and floats cannot tell which is first: 40 km from the
+        // mesh's middle they are 4 mm apart.
         const auto to_edge = [&](double at) { return std::abs(std::remainder(at, cell)); };
-        if (std::min(to_edge(hits[i].ground.east), to_edge(hits[i].ground.north)) < 0.001) continue;
+        if (std::min(to_edge(hits[i].ground.east), to_edge(hits[i].ground.north)) < 0.004) continue;
         const double facing = hits[i].normal[0] * rays[i].direction[0] + hits[i].normal[1] * rays[i].direction[1] +
                               hits[i].normal[2] * rays[i].direction[2];
         EXPECT_LT(facing, -0.15) << "a flange was hit at " << hits[i].ground.east << ' ' << hits[i].ground.north;
