@@ -63,12 +63,18 @@ FN_SHARED Vec4 optical_depth_along(IN(Air) air, Table2 zones, Table2 profile, Fl
   return depth;
 }
 
-/// Sunlight at a place, relative to that outside the atmosphere: mean over the disc, hidden parts counting as dark [1].
-FN Vec4 sunlight_at(IN(Air) air, Table2 sunlight, Float altitude, Float mu_s) {
-  // The table's direction is that of the Sun's upper limb, so that it begins where the disc appears.
+/// Zenith cosine of the Sun's upper limb from that of its centre [1].
+/// @param mu_s [1] in -1..1
+/// @bound 2e-5 scale 1   a cosine
+FN Float upper_limb(IN(Air) air, Float mu_s) {
   Float sin_s = sqrt(max((1.0 - mu_s) * (1.0 + mu_s), 0.0));
   Float mu_limb = mu_s + air.sun_radius * (sin_s - 0.5 * air.sun_radius * mu_s);
-  mu_limb = select(mu_s > 1.0 - 0.5 * air.sun_radius * air.sun_radius, Float(1.0), mu_limb);
+  return select(mu_s > 1.0 - 0.5 * air.sun_radius * air.sun_radius, Float(1.0), mu_limb);
+}
+/// Sunlight at a place, relative to that outside the atmosphere: mean over the disc, hidden parts counting as dark [1].
+FN Vec4 sunlight_at(IN(Air) air, Table2 sunlight, Float altitude, Float mu_s) {
+  // The table's direction is that of the upper limb, so that it begins where the disc appears.
+  Float mu_limb = upper_limb(air, mu_s);
   Vec4 light = exp(-lookup(sunlight, depth_uv(air, altitude, mu_limb, width_of(sunlight), height_of(sunlight))));
   return select(mu_limb > mu_horizon(air.ground_radius, altitude), light, Vec4(0.0));
 }

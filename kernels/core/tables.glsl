@@ -18,10 +18,8 @@ FN Vec4 optical_depth_pass(IN(Air) air, IN(GridSize) size, Table2 zones, Table2 
 }
 
 /// -ln of the sunlight that reaches a place relative to that outside the atmosphere [1]: mean of the transmittance over the limb-
-/// darkened disc, parts below the horizon counting as dark. The direction of the table is that of the disc's upper limb.
-FN Vec4 sunlight_pass(IN(Air) air, IN(GridSize) size, Table2 optical_depth, Vec2 uv) {
-  Float mu_limb = Float(0.0);
-  Float altitude = depth_place(air, uv, size.width, size.height, mu_limb);
+/// darkened disc, parts below the horizon counting as dark. The direction is that of the disc's upper limb.
+FN Vec4 disc_depth(IN(Air) air, Table2 optical_depth, Float altitude, Float mu_limb) {
   Float horizon = mu_horizon(air.ground_radius, altitude);
   Float sin_limb = sqrt(max((1.0 - mu_limb) * (1.0 + mu_limb), 0.0));
   Float sin_horizon = sqrt(max((1.0 - horizon) * (1.0 + horizon), 0.0));
@@ -42,4 +40,11 @@ FN Vec4 sunlight_pass(IN(Air) air, IN(GridSize) size, Table2 optical_depth, Vec2
   }
   // Of the mean over the slices seen, the part of pi that they take.
   return -ln4(max(sum * (last * (1.0 / (24.0 * 3.14159265358979))) / Vec4(air.disc_light), 1.0e-30));
+}
+
+/// The table of that.
+FN Vec4 sunlight_pass(IN(Air) air, IN(GridSize) size, Table2 optical_depth, Vec2 uv) {
+  Float mu_limb = Float(0.0);
+  Float altitude = depth_place(air, uv, size.width, size.height, mu_limb);
+  return disc_depth(air, optical_depth, altitude, mu_limb);
 }

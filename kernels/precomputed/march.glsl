@@ -5,7 +5,7 @@
 // changes most and grow from there as sinh does, which suits a ray to the zenith, one along the ground and one past the limb alike;
 // the edges of the planet's shadow are ends of panels.
 //
-// `layers`  the air over sqrt(altitude / top). Row 0: extinction, rows 1 to 4: scattering of the phase classes [1/m]. A lane finds its
+// `layers`  the air over the distance to the horizon. Row 0: extinction, rows 1 to 4: scattering of the phase classes [1/m]. A lane finds its
 //           own altitude in it, where `profile` wants all lanes in one zone.
 
 /// A row of `profile` at an altitude [1/m].
@@ -20,19 +20,59 @@ FN Vec4 precomputed_profile(IN(Air) air, Table2 zones, Table2 profile, Float alt
   return found;
 }
 
+/// Place of a squared distance to the horizon, r^2 - R^2, in `layers` and in `sunlit` [1]. So places follow from a path along a ray without
+/// its altitude, which would be one root and one division more.
+/// @param squared [m^2] in 0..1e12
+FN Float precomputed_level(IN(Air) air, Float squared) {
+  return squared * inverse_root(max(squared, 1.0)) * (1.0 / sqrt(air.top_altitude * (2.0 * air.ground_radius + air.top_altitude)));
+}
+/// Altitude of such a place [m].
+/// @param level [1] in 0..1
+/// @bound 2e-5 scale 1e5
+FN Float precomputed_level_altitude(IN(Air) air, Float level) {
+  Float squared = level * level * (air.top_altitude * (2.0 * air.ground_radius + air.top_altitude));
+  return min(squared / (air.ground_radius + sqrt(air.ground_radius * air.ground_radius + squared)), air.top_altitude);
+}
+/// Place of an altitude [1].
+/// @param altitude [m] in 0..1e5
+FN Float precomputed_layer(IN(Air) air, Float altitude) { return precomputed_level(air, max(radius_gap(air.ground_radius, altitude, Float(0.0)), 0.0)); }
+
 /// The table `layers` [1/m].
 FN Vec4 precomputed_layers_pass(IN(Air) air, IN(GridSize) size, Table2 zones, Table2 profile, Vec2 uv) {
-  Float u = from_half_texel(uv.x, size.width);
+  Float altitude = precomputed_level_altitude(air, from_half_texel(uv.x, size.width));
   Float row = floor(uv.y * size.height);
   Vec4 found = Vec4(0.0);
   int rows = 1 + int(air.classes);
-  for (int i = 0; i < rows; ++i) found = select(abs(row - Float(i)) < 0.5, precomputed_profile(air, zones, profile, u * u * air.top_altitude, i), found);
+  for (int i = 0; i < rows; ++i) found = select(abs(row - Float(i)) < 0.5, precomputed_profile(air, zones, profile, altitude, i), found);
   return found;
 }
 
-/// Place of an altitude in `layers` [1].
-/// @param altitude [m] in 0..1e5
-FN Float precomputed_layer(IN(Air) air, Float altitude) { return sqrt(clamp(altitude * (1.0 / air.top_altitude), 0.0, 1.0)); }
+/// Zenith cosine of the Sun's centre where its upper limb appears behind the ground [1].
+/// @param level [1] in 0..1
+/// @param inverse_radius [1/m] in 1e-7..2e-7
+/// @bound 2e-5 scale 1   a cosine
+FN Float precomputed_sunrise(IN(Air) air, Float level, Float inverse_radius) {
+  Scalar longest = sqrt(air.top_altitude * (2.0 * air.ground_radius + air.top_altitude));
+  return -(level * (longest * (1.0 - 0.5 * air.sun_radius * air.sun_radius)) + air.ground_radius * air.sun_radius) * inverse_radius;
+}
+/// Sun's zenith cosine since its rise to place in the table `sunlit` [1].
+/// @param risen [1] in 0..1
+FN Float precomputed_sunlit_place(IN(Air) air, Float risen) {
+  Scalar longest = sqrt(air.top_altitude * (2.0 * air.ground_radius + air.top_altitude));
+  Float part = risen * (1.0 / (1.0 + air.sun_radius + longest / (air.ground_radius + air.top_altitude)));
+  return part * inverse_root(max(part, 1.0e-12));
+}
+/// The table `sunlit`: -ln of sunlight, as `sunlight`, over the Sun's zenith cosine since its rise (u) and `layers`' places (v) [1]: with fewer
+/// roots on the way to a texel.
+FN Vec4 precomputed_sunlit_pass(IN(Air) air, IN(GridSize) size, Table2 optical_depth, Vec2 uv) {
+  Float level = from_half_texel(uv.y, size.height);
+  Float altitude = precomputed_level_altitude(air, level);
+  Scalar longest = sqrt(air.top_altitude * (2.0 * air.ground_radius + air.top_altitude));
+  Float part = from_half_texel(uv.x, size.width);
+  Float risen = part * part * (1.0 + air.sun_radius + longest / (air.ground_radius + air.top_altitude));
+  Float mu_s = min(precomputed_sunrise(air, level, 1.0 / (air.ground_radius + altitude)) + risen, 1.0);
+  return disc_depth(air, optical_depth, altitude, upper_limb(air, mu_s));
+}
 
 /// Number whose hyperbolic sine is x [1].
 /// @param x [1] in -1e4..1e4
@@ -103,15 +143,26 @@ FN Vec4 precomputed_ground(IN(Air) air, Table2 ground_light, Vec4 at, Float reac
   return exp(-lookup_row(ground_light, precomputed_sun_place(mu_s), 0)) * Vec4(air.albedo) * 0.318309886183791;
 }
 
-/// Light that the air sends along a ray, per solar irradiance [1/sr]; the optical depth of the path. `at` is where the ray meets the air,
-/// as meet_air says; `first` 1: with light of the first order, 0: without; phase0 to 3: the phase functions towards the Sun.
-FN_SHARED Vec4 precomputed_march(IN(Air) air, IN(Lattice) lattice, int first, Scalar panels, Table2 layers, Table2 sunlight, Table3 source,
-                                 Vec4 phase0, Vec4 phase1, Vec4 phase2, Vec4 phase3, Vec4 at, Float reach, OUT(Vec4) depth) {
+/// Panels of a ray, and those of them for a piece in the planet's shadow, where light of the first order is missing [1]: a third, or, where
+/// nothing but depth is asked of it, less.
+/// @param panels [1] in 3..64
+/// @param all [1] in 0..1  orders are asked for, not the first alone
+/// @bound 1 scale 1   whole numbers
+FN Vec2 precomputed_panels(Float panels, Bool all) {
+  return Vec2(panels, select(all, floor(panels * 0.333334), floor(panels * 0.166667) + 1.0));
+}
+
+/// Light that the air sends along a ray, per solar irradiance [1/sr]: the first order's; `again`: the others'; the optical depth of the path.
+/// `at` is where the ray meets the air, as meet_air says; `orders` 1: the first alone, 2: the others alone (`first` is 0 then), 3: both;
+/// `panels`: of the ray, and those of them that a piece in the planet's shadow gets; `most`: the largest number of any ray;
+/// phase0 to 3: the phase functions towards the Sun.
+FN_SHARED Vec4 precomputed_march(IN(Air) air, IN(Lattice) lattice, int orders, Vec2 panels, int most, Table2 layers, Table2 sunlit, Table3 source,
+                                 Vec4 phase0, Vec4 phase1, Vec4 phase2, Vec4 phase3, Vec4 at, Float reach, OUT(Vec4) again, OUT(Vec4) depth) {
   Float radius = air.ground_radius + at.x;
   // A lit piece, one in the planet's shadow, and another lit one; those that a ray has not got are empty.
   Float dark = reach;
   Float light_again = reach;
-  if (first > 0) {
+  if (orders != 2) {
     umbra_along(air, at.x, at.y, at.z, at.w, dark, light_again);
     dark = clamp(dark, 0.0, reach);
     light_again = clamp(light_again, dark, reach);
@@ -121,127 +172,133 @@ FN_SHARED Vec4 precomputed_march(IN(Air) air, IN(Lattice) lattice, int first, Sc
   light_again = select(shaded, light_again, reach);
   Bool begins_lit = dark > 0.0;
   Bool ends_lit = light_again < reach;
-  // Of the panels a third for the shadow, where light of the first order is missing; the rest for the lit pieces.
-  Float third = floor(Float(panels) * 0.333334);
-  Float lit = select(shaded, panels - third, Float(panels));
+  Float lit = select(shaded, panels.x - panels.y, panels.x);
   Float lit_first = select(begins_lit, select(ends_lit, floor(0.5 * lit), lit), Float(0.0));
-  Float lit_last = panels - select(ends_lit, lit - lit_first, Float(0.0));
+  Float lit_last = panels.x - select(ends_lit, lit - lit_first, Float(0.0));
   Vec4 piece0 = precomputed_piece(air, layers, at, Float(0.0), dark, lit_first);
   Vec4 piece1 = piece0;
   Vec4 piece2 = piece0;
   if (any(shaded)) {
     piece1 = precomputed_piece(air, layers, at, dark, light_again, lit_last - lit_first);
-    piece2 = precomputed_piece(air, layers, at, light_again, reach, panels - lit_last);
+    piece2 = precomputed_piece(air, layers, at, light_again, reach, panels.x - lit_last);
   }
 
-  Vec4 light = Vec4(0.0);
+  Vec4 first = Vec4(0.0);
+  again = Vec4(0.0);
   depth = Vec4(0.0);
+  Float start = radius_gap(air.ground_radius, at.x, Float(0.0));
+  Float twice_along = 2.0 * radius * at.y;
   Float end = Float(0.0);
-  Float layer_end = precomputed_layer(air, at.x);
-  Float dusk_end = precomputed_dusk(at.z);
-  Vec4 sent_end = precomputed_sent(air, lattice, source, at, end);
-  int count = int(panels);
-  for (int i = 0; i < count; ++i) {
+  Float layer_end = Float(0.0);
+  Float dusk_end = Float(0.0);
+  Vec4 sent_end = Vec4(0.0);
+  if (orders > 1) {
+    layer_end = precomputed_layer(air, at.x);
+    dusk_end = precomputed_dusk(at.z);
+    sent_end = precomputed_sent(air, lattice, source, at, end);
+  }
+  for (int i = 0; i < most; ++i) {
     Bool before = Float(i) < lit_first - 0.5;
     Bool behind = Float(i) > lit_last - 0.5;
     Vec4 piece = select(before, piece0, select(behind, piece2, piece1));
     Float piece_end = select(before, dark, select(behind, reach, light_again));
     Float place = Float(i) - select(before, Float(0.0), select(behind, lit_last, lit_first));
-    Float to_go = select(before, lit_first, select(behind, Float(panels), lit_last)) - (Float(i) + 1.0);
+    Float to_go = select(before, lit_first, select(behind, panels.x, lit_last)) - (Float(i) + 1.0);
     Float begin = end;
     end = clamp(piece.x + piece.y * precomputed_sinh(piece.z + piece.w * (place + 1.0)), begin, piece_end);
     end = select(to_go < 0.5, piece_end, end);
-    Vec4 sent_begin = sent_end;
-    sent_end = precomputed_sent(air, lattice, source, at, end);
-    Float layer_begin = layer_end;
-    Float dusk_begin = dusk_end;
-    Float altitude_end = altitude_along(air.ground_radius, at.x, at.y, end);
-    layer_end = precomputed_layer(air, altitude_end);
-    dusk_end = precomputed_dusk((radius * at.z + end * at.w) / (air.ground_radius + altitude_end));
-    Float climb = 4.0 * (layer_end - layer_begin);
-    Float climbing = select(climb < 0.0, Float(-4.0), Float(4.0));
-    Float turn = abs(dusk_end - dusk_begin);
-    Float share = 1.0 / (abs(climb) + turn + 1.0e-3);
     Float stride = end - begin;
     // Three-point Gauss, and the depth up to each point by the matching collocation (Butcher 1964): order 6.
-    Float altitude0 = altitude_along(air.ground_radius, at.x, at.y, begin + 0.112701665379258 * stride);
-    Float altitude1 = altitude_along(air.ground_radius, at.x, at.y, begin + 0.5 * stride);
-    Float altitude2 = altitude_along(air.ground_radius, at.x, at.y, begin + 0.887298334620742 * stride);
-    Float layer0 = precomputed_layer(air, altitude0);
-    Float layer1 = precomputed_layer(air, altitude1);
-    Float layer2 = precomputed_layer(air, altitude2);
-    Vec4 extinction0 = lookup_row(layers, layer0, 0) * stride;
-    Vec4 extinction1 = lookup_row(layers, layer1, 0) * stride;
-    Vec4 extinction2 = lookup_row(layers, layer2, 0) * stride;
+    Float path0 = begin + 0.112701665379258 * stride;
+    Float path1 = begin + 0.5 * stride;
+    Float path2 = begin + 0.887298334620742 * stride;
+    Float squared0 = max(start + path0 * (twice_along + path0), 0.0);
+    Float squared1 = max(start + path1 * (twice_along + path1), 0.0);
+    Float squared2 = max(start + path2 * (twice_along + path2), 0.0);
+    Float level0 = precomputed_level(air, squared0);
+    Float level1 = precomputed_level(air, squared1);
+    Float level2 = precomputed_level(air, squared2);
+    Vec4 extinction0 = Vec4(0.0);
+    Vec4 extinction1 = Vec4(0.0);
+    Vec4 extinction2 = Vec4(0.0);
+    Vec4 scattering00 = Vec4(0.0);
+    Vec4 scattering01 = Vec4(0.0);
+    Vec4 scattering02 = Vec4(0.0);
+    Vec4 scattering10 = Vec4(0.0);
+    Vec4 scattering11 = Vec4(0.0);
+    Vec4 scattering12 = Vec4(0.0);
+    lookup_rows(layers, level0, 0, extinction0, scattering00, scattering10);
+    lookup_rows(layers, level1, 0, extinction1, scattering01, scattering11);
+    lookup_rows(layers, level2, 0, extinction2, scattering02, scattering12);
+    extinction0 = extinction0 * stride;
+    extinction1 = extinction1 * stride;
+    extinction2 = extinction2 * stride;
+    Vec4 sent_begin = sent_end;
+    Float layer_begin = layer_end;
+    Float dusk_begin = dusk_end;
+    Float climb = Float(0.0);
+    Float turn = Float(0.0);
+    if (orders > 1) {
+      sent_end = precomputed_sent(air, lattice, source, at, end);
+      Float altitude_end = altitude_along(air.ground_radius, at.x, at.y, end);
+      layer_end = precomputed_layer(air, altitude_end);
+      dusk_end = precomputed_dusk((radius * at.z + end * at.w) / (air.ground_radius + altitude_end));
+      climb = 4.0 * (layer_end - layer_begin);
+      turn = abs(dusk_end - dusk_begin);
+    }
     for (int node = 0; node < 3; ++node) {
-      Float part = Float(0.112701665379258);
       Float weight = Float(0.277777777777778);
-      Float altitude = altitude0;
-      Float layer = layer0;
+      Float path = path0;
+      Float squared = squared0;
+      Float level = level0;
+      Vec4 scattering = scattering00;
+      Vec4 more = scattering10;
       Vec4 passed = 0.138888888888889 * extinction0 - 0.0359766675249389 * extinction1 + 0.00978944401530832 * extinction2;
       if (node == 1) {
-        part = Float(0.5);
         weight = Float(0.444444444444444);
-        altitude = altitude1;
-        layer = layer1;
+        path = path1;
+        squared = squared1;
+        level = level1;
+        scattering = scattering01;
+        more = scattering11;
         passed = 0.300263194980865 * extinction0 + 0.222222222222222 * extinction1 - 0.0224854172030869 * extinction2;
       }
       if (node == 2) {
-        part = Float(0.887298334620742);
-        altitude = altitude2;
-        layer = layer2;
+        path = path2;
+        squared = squared2;
+        level = level2;
+        scattering = scattering02;
+        more = scattering12;
         passed = 0.267988333762469 * extinction0 + 0.480421111969383 * extinction1 + 0.138888888888889 * extinction2;
       }
       passed = depth + max(passed, 0.0);
-      Vec4 scattering = lookup_row(layers, layer, 1);
-      Vec4 towards = scattering * phase0;
-      if (air.classes > 1.5) {
-        Vec4 more = lookup_row(layers, layer, 2);
-        scattering = scattering + more;
-        towards = towards + more * phase1;
-      }
+      Vec4 towards = scattering * phase0 + more * phase1;
+      scattering = scattering + more;
       if (air.classes > 2.5) {
-        Vec4 more = lookup_row(layers, layer, 3);
+        more = lookup_row(layers, level, 3);
         scattering = scattering + more;
         towards = towards + more * phase2;
       }
       if (air.classes > 3.5) {
-        Vec4 more = lookup_row(layers, layer, 4);
+        more = lookup_row(layers, level, 4);
         scattering = scattering + more;
         towards = towards + more * phase3;
       }
-      Float mu_s = (radius * at.z + (begin + part * stride) * at.w) / (air.ground_radius + altitude);
-      // Between a panel's ends -ln of what is sent goes as altitude and the Sun do.
-      Float between = (clamp((layer - layer_begin) * climbing, 0.0, abs(climb)) + min(abs(precomputed_dusk(mu_s) - dusk_begin), turn) + 1.0e-3 * part) * share;
-      Vec4 seen = Vec4(0.0);
-      if (first > 0) seen = towards * sunlight_at(air, sunlight, altitude, mu_s) * exp(-passed);
-      seen = seen + scattering * exp(-(passed + mix(sent_begin, sent_end, between)));
-      light = light + seen * (weight * stride);
+      Float inverse_radius = inverse_root(air.ground_radius * air.ground_radius + squared);
+      Float mu_s = (radius * at.z + path * at.w) * inverse_radius;
+      if (orders != 2) {
+        Float risen = mu_s - precomputed_sunrise(air, level, inverse_radius);
+        Vec2 place = Vec2(half_texel(precomputed_sunlit_place(air, risen), width_of(sunlit)), half_texel(level, height_of(sunlit)));
+        first = first + select(risen > 0.0, towards * exp(-(passed + lookup(sunlit, place))) * (weight * stride), Vec4(0.0));
+      }
+      if (orders > 1) {
+        // Between a panel's ends -ln of what is sent goes as altitude and the Sun do.
+        Float climbing = select(climb < 0.0, Float(-4.0), Float(4.0));
+        Float between = (clamp((level - layer_begin) * climbing, 0.0, abs(climb)) + min(abs(precomputed_dusk(mu_s) - dusk_begin), turn) + 1.0e-3 * (path - begin) / max(stride, 1.0e-3)) / (abs(climb) + turn + 1.0e-3);
+        again = again + scattering * exp(-(passed + mix(sent_begin, sent_end, between))) * (weight * stride);
+      }
     }
     depth = depth + 0.277777777777778 * (extinction0 + extinction2) + 0.444444444444444 * extinction1;
   }
-  return light;
-}
-
-/// What a view ray brings, all orders of scattering, per solar irradiance [1/sr]: the air's part; light reflected by the ground where the
-/// ray meets it, already attenuated.
-FN_SHARED Vec4 precomputed_ray_light(IN(Air) air, IN(Lattice) lattice, Scalar panels, Table2 phases, Table2 layers, Table2 sunlight, Table3 source,
-                                     Table2 ground_light, Float altitude, Vec3 view, Vec3 sun, Float distance, OUT(Vec4) ground) {
-  Float reach = Float(0.0);
-  Float whole = Float(0.0);
-  Bool hits = reach > 1.0;
-  Vec4 at = meet_air(air, altitude, view, sun, distance, reach, whole, hits);
-  Vec4 phase0 = Vec4(0.0);
-  Vec4 phase1 = Vec4(0.0);
-  Vec4 phase2 = Vec4(0.0);
-  Vec4 phase3 = Vec4(0.0);
-  precomputed_phases(air, phases, one_minus_cos(view, sun), phase0, phase1, phase2, phase3);
-  Vec4 depth = Vec4(0.0);
-  Vec4 light = precomputed_march(air, lattice, 1, panels, layers, sunlight, source, phase0, phase1, phase2, phase3, at, reach, depth);
-  ground = Vec4(0.0);
-  if (any(hits)) {
-    Vec4 reflected = ground_radiance(air, sunlight, sunlight, 1, at, reach) + precomputed_ground(air, ground_light, at, reach);
-    ground = select(hits, reflected * exp(-depth), Vec4(0.0));
-  }
-  return light;
+  return first;
 }

@@ -91,7 +91,7 @@ FN Vec4 precomputed_peaks_pass(IN(Air) air, IN(Lattice) lattice, Table2 phases, 
 }
 
 /// Light of the first order that reaches the lattice's places, with what of it is scattered straight on, per solar irradiance [1/sr].
-FN Vec4 precomputed_first_light_pass(IN(Air) air, IN(Lattice) lattice, Table2 smooth_layers, Table2 forward, Table2 phases, Table2 sunlight, Table2 peaks, Table3 darkness, Vec2 uv) {
+FN Vec4 precomputed_first_light_pass(IN(Air) air, IN(Lattice) lattice, Table2 smooth_layers, Table2 forward, Table2 phases, Table2 sunlit, Table2 sunlight, Table2 peaks, Table3 darkness, Vec2 uv) {
   Vec3 view = Vec3(Float(0.0), Float(0.0), Float(1.0));
   Float mu_s = Float(0.0);
   Float altitude = precomputed_light_place(air, lattice, uv, view, mu_s);
@@ -113,13 +113,14 @@ FN Vec4 precomputed_first_light_pass(IN(Air) air, IN(Lattice) lattice, Table2 sm
   phase2 = phase2 / ((Vec4(1.0) - fetch(forward, Float(2.0), Float(0.0))) * peak.z);
   phase3 = phase3 / ((Vec4(1.0) - fetch(forward, Float(3.0), Float(0.0))) * peak.w);
   Vec4 depth = Vec4(0.0);
+  Vec4 none = Vec4(0.0);
   // It is asked once, of many: more panels than the next orders take cost little.
-  Vec4 light = precomputed_march(air, lattice, 1, 4.0 * lattice.panels, smooth_layers, sunlight, darkness, phase0, phase1, phase2, phase3, at, reach, depth);
+  Vec4 light = precomputed_march(air, lattice, 1, Vec2(Float(4.0 * lattice.panels), Float(lattice.panels)), 4 * int(lattice.panels), smooth_layers, sunlit, darkness, phase0, phase1, phase2, phase3, at, reach, none, depth);
   return light + select(hits, ground_radiance(air, sunlight, sunlight, 1, at, reach) * exp(-depth), Vec4(0.0));
 }
 
 /// Light of the next order that reaches the lattice's places, per solar irradiance [1/sr].
-FN Vec4 precomputed_next_light_pass(IN(Air) air, IN(Lattice) lattice, Table2 smooth_layers, Table2 sunlight, Table3 source, Table2 ground_light, Vec2 uv) {
+FN Vec4 precomputed_next_light_pass(IN(Air) air, IN(Lattice) lattice, Table2 smooth_layers, Table2 sunlit, Table3 source, Table2 ground_light, Vec2 uv) {
   Vec3 view = Vec3(Float(0.0), Float(0.0), Float(1.0));
   Float mu_s = Float(0.0);
   Float altitude = precomputed_light_place(air, lattice, uv, view, mu_s);
@@ -129,7 +130,8 @@ FN Vec4 precomputed_next_light_pass(IN(Air) air, IN(Lattice) lattice, Table2 smo
   Vec4 at = meet_air(air, altitude, view, precomputed_sun_direction(mu_s), Float(1.0e30), reach, whole, hits);
   Vec4 depth = Vec4(0.0);
   Vec4 none = Vec4(0.0);
-  Vec4 light = precomputed_march(air, lattice, 0, lattice.panels, smooth_layers, sunlight, source, none, none, none, none, at, reach, depth);
+  Vec4 light = Vec4(0.0);
+  precomputed_march(air, lattice, 2, Vec2(Float(lattice.panels), Float(0.0)), int(lattice.panels), smooth_layers, sunlit, source, none, none, none, none, at, reach, light, depth);
   return light + select(hits, precomputed_ground(air, ground_light, at, reach) * exp(-depth), Vec4(0.0));
 }
 

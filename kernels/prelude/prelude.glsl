@@ -42,6 +42,8 @@ bool air_any(bool b) { return b; }
 // x = mantissa * 2^exponent with the mantissa in [1, 2), for normal x > 0.
 float exponent_of(float x) { return float((floatBitsToInt(x) >> 23) - 127); }
 float mantissa_of(float x) { return intBitsToFloat((floatBitsToInt(x) & 0x007fffff) | 0x3f800000); }
+// 1 / sqrt(x) for normal x > 0; elsewhere anything.
+float inverse_root(float x) { return inversesqrt(x); }
 
 // Filtering by hand: hardware filters weigh with 8 bits, and WebGL2 may not filter 32-bit float at all.
 vec4 fetch(sampler2D t, float column, float row) {
@@ -66,6 +68,11 @@ vec4 lookup_row(sampler2D t, float u, int row) {
   float x = clamp(u, 0.0, 1.0) * last;
   float i = min(floor(x), last - 1.0);
   return mix(texelFetch(t, ivec2(int(i), row), 0), texelFetch(t, ivec2(int(i) + 1, row), 0), x - i);
+}
+void lookup_rows(sampler2D t, float u, int row, out vec4 first, out vec4 second, out vec4 third) {
+  first = lookup_row(t, u, row);
+  second = lookup_row(t, u, row + 1);
+  third = lookup_row(t, u, row + 2);
 }
 vec4 lookup(sampler2D t, vec2 uv) {
   vec2 size = vec2(textureSize(t, 0));

@@ -33,6 +33,7 @@ struct TablePass {
   std::string_view pass;
   Shape shape;
   std::function<Shape(const Situation&)> sized = {};  ///< where parameters decide the shape
+  bool on_disk = false;                               ///< takes long: kept there, too, where the engine keeps any
 
   Shape shape_for(const Situation& situation) const { return sized ? sized(situation) : shape; }
 };

@@ -1,6 +1,6 @@
-// The fast solver that converges: light of the first order is marched along each ray, the other orders come from a lattice of
-// altitudes, Suns and directions, summed one by one (docs/models/precomputed.md). What it leaves out: polarisation, refraction, shadows
-// of land in the air; peaks of the second order that are sharper than its directions.
+// The fast solver that converges: orders of scattering are summed one by one on a lattice of altitudes, Suns and directions, and what whole
+// rays gather of them is tabulated; light of the first order is marched along each ray, or tabulated too (docs/models/precomputed.md).
+// What it leaves out: polarisation, refraction, shadows of land in the air; peaks of the second order that are sharper than its directions.
 #include <cmath>
 #include <numbers>
 
@@ -15,27 +15,51 @@ constexpr double straight = 16 * std::numbers::pi / 180;
 
 struct Sizes {
   int suns, altitudes, rings, sectors, zeniths, azimuths;
+  struct Seen {
+    int suns, altitudes, ups, limbs, grounds, azimuths;
+  } seen;
 };
+
+bool from_tables(const Situation& situation) {
+  return situation.parameters && situation.parameters->word("first_order") == "tables";
+}
 
 /// `full` is what docs/accuracy.md judges; `draft` answers at once, for tests and for a first look.
 Sizes sizes(const Situation& situation) {
-  if (situation.parameters && situation.parameters->word("detail") == "draft") return {20, 10, 8, 4, 8, 5};
-  return {64, 24, 24, 10, 20, 10};
+  if (situation.parameters && situation.parameters->word("detail") == "draft")
+    return {20, 10, 8, 4, 8, 5, {24, 12, 14, 12, 8, 5}};
+  // Two tables are seen of where nothing is marched: with fewer azimuths, so that all stay below 64 MiB.
+  return {64, 24, 24, 10, 20, 10, {64, 32, 24, 20, 12, from_tables(situation) ? 10 : 14}};
 }
 
 TablePass sized(std::string_view pass, Shape (*shape)(const Sizes&)) {
   return {.pass = pass, .shape = {}, .sized = [shape](const Situation& s) { return shape(sizes(s)); }};
 }
 
+TablePass kept(std::string_view pass, Shape (*shape)(const Situation&)) {
+  return {.pass = pass, .shape = {}, .sized = shape, .on_disk = true};
+}
+
 Shape shape_of_light(const Sizes& s) { return {s.suns, s.altitudes * s.rings * s.sectors}; }
 Shape shape_of_source(const Sizes& s) { return {s.suns, s.altitudes * s.zeniths, s.azimuths}; }
 
 Shape shape_of_weights(const Sizes& s) { return {s.rings * s.sectors, s.altitudes * s.zeniths * s.azimuths}; }
+Shape shape_of_seen(const Sizes& s) {
+  return {s.seen.suns, s.seen.altitudes * (s.seen.ups + s.seen.limbs + s.seen.grounds), s.seen.azimuths};
+}
 
 Fields fields(std::string_view argument, const Situation& situation) {
-  if (argument == "march") return {{"panels", {situation.parameters ? situation.parameters->number("panels") : 16.0}}};
-  if (argument != "lattice") return {};
+  if (argument == "march") return {{"panels", {situation.parameters ? situation.parameters->number("panels") : 8.0}}};
   const Sizes s = sizes(situation);
+  if (argument == "sight")
+    return {{"marched", {from_tables(situation) ? 0.0 : 1.0}},
+            {"suns", {double(s.seen.suns)}},
+            {"altitudes", {double(s.seen.altitudes)}},
+            {"ups", {double(s.seen.ups)}},
+            {"limbs", {double(s.seen.limbs)}},
+            {"grounds", {double(s.seen.grounds)}},
+            {"azimuths", {double(s.seen.azimuths)}}};
+  if (argument != "lattice") return {};
   return {{"suns", {double(s.suns)}},
           {"altitudes", {double(s.altitudes)}},
           {"rings", {double(s.rings)}},
@@ -61,12 +85,18 @@ Model precomputed_model() {
                  {"precomputed.forward", {4, 1}},
                  {"precomputed.smooth_layers", {512, 5}},
                  {"precomputed.darkness", {2, 2, 2}},
+                 {"precomputed.sunlit", {256, 64}},
                  sized("precomputed.peaks",
                        [](const Sizes& s) {
                          return Shape{s.suns, s.altitudes};
                        }),
                  sized("precomputed.weights", shape_of_weights),
-                 sized("precomputed.smooth_weights", shape_of_weights)},
+                 sized("precomputed.smooth_weights", shape_of_weights),
+                 kept("precomputed.seen", [](const Situation& s) { return shape_of_seen(sizes(s)); }),
+                 kept("precomputed.seen_peak",
+                      [](const Situation& s) {
+                        return from_tables(s) ? shape_of_seen(sizes(s)) : Shape{2, 2, 2};  // nothing reads it
+                      })},
       .rays = "precomputed.rays",
       .transmittance = "precomputed.transmittance",
       .sky_light = "precomputed.sky_light",
@@ -89,12 +119,18 @@ Model precomputed_model() {
                       .text = "of the tables: draft answers at once, with a few percent of error",
                       .words = {"full", "draft"},
                       .otherwise = "full"},
+                     {.name = "first_order",
+                      .kind = ParameterInfo::Kind::word,
+                      .text =
+                          "of scattering: marched along each ray, or from tables, several times faster and less exact",
+                      .words = {"marched", "tables"},
+                      .otherwise = "marched"},
                      {.name = "panels",
                       .kind = ParameterInfo::Kind::whole,
                       .text = "of a ray, with three points each: fewer are faster, more see thin layers",
                       .low = 3,
                       .high = 64,
-                      .otherwise = std::vector<double>{16}}},
+                      .otherwise = std::vector<double>{8}}},
   };
 }
 

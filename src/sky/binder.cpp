@@ -52,7 +52,7 @@ Table Binder::table(std::string_view argument, const PassInfo& reader) const {
     const PassInfo& pass = kernel_pass(made.pass);
     const auto output = std::ranges::find(pass.outputs, argument);
     if (output == pass.outputs.end()) continue;
-    return run(made.pass, made.shape_for(situation_))[std::size_t(output - pass.outputs.begin())];
+    return run(made)[std::size_t(output - pass.outputs.begin())];
   }
   if (host_tables_) {
     if (const auto kept = host_tables_->find(argument); kept != host_tables_->end()) return kept->second;
@@ -92,6 +92,15 @@ std::vector<Table> Binder::inputs(const PassInfo& pass) const {
 std::vector<Table> Binder::run(std::string_view name, Shape shape) const {
   const PassInfo& pass = kernel_pass(name);
   return engine_.run(pass, parameters(pass, shape), inputs(pass), shape);
+}
+
+std::vector<Table> Binder::run(const TablePass& made) const {
+  const Shape shape = made.shape_for(situation_);
+  if (!made.on_disk) return run(made.pass, shape);
+  const PassInfo& pass = kernel_pass(made.pass);
+  std::vector<double> numbers = parameters(pass, shape);
+  numbers.insert(numbers.end(), {double(shape.width), double(shape.height), double(shape.depth)});
+  return engine_.make_once(made.pass, numbers, inputs(pass), [&] { return run_once(made.pass, shape); });
 }
 
 std::vector<Table> Binder::run_once(std::string_view name, Shape shape) const {

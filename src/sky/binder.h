@@ -48,6 +48,7 @@ class Binder {
   Engine& engine() const { return engine_; }
 
  private:
+  std::vector<Table> run(const TablePass& made) const;
   std::vector<Table> orders() const;  // what Model::orders sums up to, kept by the engine
 
   Engine& engine_;

@@ -72,8 +72,8 @@ TEST(Precomputed, a_segment_and_the_rest_of_its_ray_are_the_whole) {
   std::vector<Ray> segments;
   for (const double sun : {40.0, 3.0, -5.0})
     for (const double elevation : {30.0, 1.0}) segments.push_back({0, toward(70, elevation), toward(0, sun), 20e3});
-  // Gauss points fall elsewhere on the pieces: the rule's own error, 0.6 % where a step at 390 nm is optically thick.
-  for (const double gap : gaps(sky, segments)) EXPECT_NEAR(gap, 0, 1e-2);
+  // The whole is looked up, between cells of tables; the segment is marched. At most 0.24 % with full tables, 7 % with the draft.
+  for (const double gap : gaps(sky, segments)) EXPECT_NEAR(gap, 0, full() ? 5e-3 : 0.1);
   if (!full()) return;
 
   std::mt19937 random(1);
@@ -104,14 +104,41 @@ TEST(Precomputed, few_panels_of_a_ray_tell_nearly_what_many_do) {
     for (const double view : {-1.0, -10.0, -90.0}) rays.push_back({10e3, toward(100, view), toward(0, sun)});
     rays.push_back({2, toward(100, 0.5), toward(0, sun), 100});
   }
-  const auto few = ask(sky(16), rays), many = ask(sky(64), rays);
-  // docs/models/precomputed.md: 16 panels cost some tenths of a percent, and more where a ray passes into dusk.
+  const auto few = ask(sky(8), rays), many = ask(sky(64), rays);
+  // docs/models/precomputed.md: 8 panels cost some tenths of a percent, and more where a ray passes into dusk.
   double sum = 0;
   for (std::size_t i = 0; i < few.size(); ++i) {
     EXPECT_NEAR(few[i] / many[i], 1, 0.04) << "ray " << i / wavelengths.size() << ", value " << i % wavelengths.size();
     sum += std::abs(few[i] / many[i] - 1);
   }
   EXPECT_LT(sum / double(few.size()), 0.008);
+}
+
+TEST(Precomputed, first_order_from_tables_is_nearly_what_marching_gives) {
+  const auto engine = make_engine("simd");
+  const Sky marched = sky_over(built_in_atmosphere("earth-hazy"), engine);
+  const Sky tables(built_in_atmosphere("earth-hazy"), "precomputed", engine,
+                   {{"detail", full() ? "full" : "draft"}, {"first_order", "tables"}});
+  std::vector<Ray> rays;
+  for (const double sun : {60.0, 20.0, 3.0})
+    for (const double altitude : {0.0, 0.1, 2.0, 300.0, 10e3, 35e3, 400e3}) {
+      const double horizon =
+          -std::acos(1 / (1 + altitude / built_in_atmosphere("earth").planet.ground_radius)) / degree;
+      // Both sides of the horizon, and down: the way to the ground from 0.1 m is as short as that.
+      for (const double off : {-60.0, -10.0, -1.0, -0.1, 0.1, 1.0, 30.0})
+        if (altitude < 12e3 || (off > -30 && off < 1))
+          rays.push_back({altitude, toward(75, horizon + off), toward(0, sun)});
+    }
+  const auto path = ask(marched, rays, Quantity::path_radiance), read = ask(tables, rays, Quantity::path_radiance);
+  std::vector<double> error;
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    error.push_back(std::abs(read[i] - path[i]) / std::max(path[i], 1e-9));
+    EXPECT_LT(error.back(), full() ? 0.12 : 0.5)
+        << rays[i / 4].altitude << " m, view z " << rays[i / 4].view[2] << ", value " << i % 4;
+  }
+  std::ranges::sort(error);
+  // Cells of the draft are three times as wide as those of the full tables, whose median is below 1 %.
+  EXPECT_LT(error[error.size() / 2], full() ? 0.01 : 0.05);
 }
 
 TEST(Precomputed, both_sides_of_the_suns_plane_are_alike) {

@@ -1,0 +1,233 @@
+#pragma once
+#include "precomputed/orders.glsl"
+// What is seen along whole rays, to space or to the ground: over altitudes, directions, Suns and azimuths.
+//
+// `seen`         -ln of the mean over a ray's path of what the air adds to it, per solar irradiance [1/(m sr)]: of all orders but the
+//                first, or, where nothing is marched, of all but that part of the first which `seen_peak` holds.
+// `seen_peak`    where nothing is marched: the same of the phase class with the sharpest peak, in light of the first order, without its
+//                phase function [1/m].
+//                Columns: Suns, as in `source`; rows: directions, a band for each altitude; slices: half the azimuth from the Sun, by its sine.
+// A mean hardly changes where a path becomes long or short, and -ln of it is as good at night as at noon. The directions of a band are
+// three sets that share no cell: up; down, but past the limb; to the ground. So the horizon of each altitude is an edge between tables.
+
+struct Sight {
+  Scalar marched;    // [1] in 0..1    1: light of the first order is marched along each ray; 0: it comes from these tables, too
+  Scalar suns;       // [1] in 2..96
+  Scalar altitudes;  // [1] in 2..64
+  Scalar ups;        // [1] in 2..64   directions up, by their path to the top
+  Scalar limbs;      // [1] in 2..64   directions past the limb, by their lowest altitude
+  Scalar grounds;    // [1] in 2..64   directions to the ground, by altitude over distance
+  Scalar azimuths;   // [1] in 2..64
+  Scalar pad;        // [1] in 0..1
+};
+
+/// Row of a direction within the band of an altitude [1]. Rows crowd at the horizon and at the zenith.
+/// @param altitude [m] in 0..1e5
+/// @param mu [1] in -1..1
+/// @bound 1 scale 1e30   at the horizon engines may choose either set: compared as part of the passes
+FN Float precomputed_seen_row(IN(Air) air, IN(Sight) sight, Float altitude, Float mu) {
+  Float radius = air.ground_radius + altitude;
+  Float gap_below = max(radius_gap(air.ground_radius, altitude, Float(0.0)), 0.0);
+  Float ahead = max(air.top_altitude - altitude, 0.0);
+  Float gap_above = max(radius_gap(air.ground_radius, Float(air.top_altitude), altitude), 0.0);
+  // The path to the top beyond the shortest, without a difference of the two, which are alike about the zenith.
+  Float b = radius * max(mu, 0.0);
+  Float s = sqrt(b * b + gap_above);
+  Float longer = ahead * radius * (1.0 - mu) * (1.0 + radius * (1.0 + mu) / (air.ground_radius + air.top_altitude + s)) / (b + s);
+  Float up = longer / max(sqrt(gap_above) - ahead, 1.0e-3);
+  // The lowest altitude by (r - R) = (r^2 - R^2) / (r + R), of the squared radius r^2 (1 - mu^2).
+  Float lowest = max(gap_below - radius * radius * mu * mu, 0.0) * (0.5 / air.ground_radius);
+  Float limb = lowest / max(altitude, 1.0e-3);
+  // Of a short way down altitude over distance is the cosine; it stays so where there is no altitude.
+  Float steep = select(altitude < 0.01, -mu, altitude / max(distance_to_ground(air.ground_radius, altitude, mu), 0.01));
+  Float flat = sqrt(altitude / (2.0 * air.ground_radius + altitude));
+  Float down = (steep - flat) / max(1.0 - flat, 1.0e-3);
+  Bool hits = mu < mu_horizon(air.ground_radius, altitude);
+  Float part = sqrt(clamp(select(hits, down, select(mu < 0.0, limb, up)), 0.0, 1.0));
+  Float last = select(hits, Float(sight.grounds - 1.0), select(mu < 0.0, Float(sight.limbs - 1.0), Float(sight.ups - 1.0)));
+  return part * last + select(hits, Float(sight.ups + sight.limbs), select(mu < 0.0, Float(sight.ups), Float(0.0)));
+}
+/// Its inverse: the zenith cosine of a row of a band [1], and the path of its ray.
+/// @param altitude [m] in 0..1e5
+/// @param row [1] in 0..10
+/// @param reach [m]  at least 1
+/// @bound 1 scale 1e30   as precomputed_seen_row
+FN Float precomputed_seen_mu(IN(Air) air, IN(Sight) sight, Float altitude, Float row, OUT(Float) reach) {
+  Float radius = air.ground_radius + altitude;
+  Float gap_below = max(radius_gap(air.ground_radius, altitude, Float(0.0)), 0.0);
+  Float gap_above = max(radius_gap(air.ground_radius, Float(air.top_altitude), altitude), 0.0);
+  Float ahead = max(air.top_altitude - altitude, 0.0);
+  Bool past = row > sight.ups - 0.5;
+  Bool hits = row > sight.ups + sight.limbs - 0.5;
+  Float part = select(hits, (row - sight.ups - sight.limbs) * (1.0 / (sight.grounds - 1.0)), select(past, (row - sight.ups) * (1.0 / (sight.limbs - 1.0)), row * (1.0 / (sight.ups - 1.0))));
+  part = clamp(part, 0.0, 1.0);
+  part = part * part;
+  Float path = max(mix(ahead, sqrt(gap_above), part), 1.0);
+  // Straight up and straight down are exact: an angle whose cosine is off by the last bit is off by 0.03 degrees.
+  Float up = select(part > 0.0, clamp((gap_above - path * path) / (2.0 * radius * path), 0.0, 1.0), Float(1.0));
+  Float limb = -sqrt(max(gap_below - 2.0 * air.ground_radius * altitude * part, 0.0)) / radius;
+  Float flat = sqrt(altitude / (2.0 * air.ground_radius + altitude));
+  Float steep = max(mix(flat, Float(1.0), part), 1.0e-6);
+  Float down = select(steep < 1.0, -(steep * (2.0 * air.ground_radius + altitude) + altitude / steep) / (2.0 * radius), Float(-1.0));
+  Float horizon = mu_horizon(air.ground_radius, altitude);
+  Float mu = select(hits, clamp(down, -1.0, horizon), select(past, max(limb, horizon), up));
+  reach = max(select(hits, altitude / steep, distance_to_shell(air.ground_radius, altitude, Float(air.top_altitude), mu)), 1.0);
+  return mu;
+}
+
+/// A ray of the tables: where it begins, as meet_air says, its path, and how far it looks away from the Sun.
+/// @param uvw [1] in 0..1
+/// @param reach [m]
+/// @param away [1]  one minus the cosine of the angle between ray and Sun
+/// @bound 1 scale 1e30   as precomputed_seen_row
+FN Vec4 precomputed_seen_ray(IN(Air) air, IN(Sight) sight, Vec3 uvw, OUT(Float) reach, OUT(Float) away) {
+  Scalar rows = sight.ups + sight.limbs + sight.grounds;
+  Float row = floor(uvw.y * rows * sight.altitudes);
+  Float band = floor((row + 0.5) * (1.0 / rows));
+  Float altitude = precomputed_level_altitude(air, band * (1.0 / (sight.altitudes - 1.0)));
+  Float mu = precomputed_seen_mu(air, sight, altitude, row - band * rows, reach);
+  Float mu_s = precomputed_sun(from_half_texel(uvw.x, sight.suns));
+  Float half_sine = from_half_texel(uvw.z, sight.azimuths);
+  Float cosine = 1.0 - 2.0 * half_sine * half_sine;
+  Float across = sqrt(max((1.0 - mu) * (1.0 + mu), 0.0));
+  away = one_minus_cos(Vec3(across * cosine, across * sqrt(max((1.0 - cosine) * (1.0 + cosine), 0.0)), mu), precomputed_sun_direction(mu_s));
+  return Vec4(altitude, mu, mu_s, 1.0 - away);
+}
+
+/// Which phase class has the sharpest peak.
+FN int precomputed_sharpest(IN(Air) air, Table2 phases) {
+  int sharpest = 0;
+  Scalar peak = fetch_scalar(phases, 0, 0).x;
+  int classes = int(air.classes);
+  for (int i = 1; i < classes; ++i) {
+    Scalar other = fetch_scalar(phases, 0, i).x;
+    if (other > peak) {
+      sharpest = i;
+      peak = other;
+    }
+  }
+  return sharpest;
+}
+
+/// The table `seen`.
+FN Vec4 precomputed_seen_pass(IN(Air) air, IN(Lattice) lattice, IN(Sight) sight, Table2 phases, Table2 layers, Table2 sunlit, Table3 source, Vec3 uvw) {
+  Float reach = Float(0.0);
+  Float away = Float(0.0);
+  Vec4 at = precomputed_seen_ray(air, sight, uvw, reach, away);
+  Vec4 phase0 = Vec4(0.0);
+  Vec4 phase1 = Vec4(0.0);
+  Vec4 phase2 = Vec4(0.0);
+  Vec4 phase3 = Vec4(0.0);
+  precomputed_phases(air, phases, away, phase0, phase1, phase2, phase3);
+  int sharpest = precomputed_sharpest(air, phases);
+  if (sharpest == 0) phase0 = Vec4(0.0);
+  if (sharpest == 1) phase1 = Vec4(0.0);
+  if (sharpest == 2) phase2 = Vec4(0.0);
+  if (sharpest == 3) phase3 = Vec4(0.0);
+  Vec4 again = Vec4(0.0);
+  Vec4 depth = Vec4(0.0);
+  int orders = 2;
+  if (sight.marched < 0.5) orders = 3;
+  Vec4 first = precomputed_march(air, lattice, orders, Vec2(Float(16.0), Float(5.0)), 16, layers, sunlit, source, phase0, phase1, phase2, phase3, at, reach, again, depth);
+  return -ln4(max((first + again) * (1.0 / reach), 1.0e-30));
+}
+/// The table `seen_peak`.
+FN Vec4 precomputed_seen_peak_pass(IN(Air) air, IN(Lattice) lattice, IN(Sight) sight, Table2 phases, Table2 layers, Table2 sunlit, Table3 source, Vec3 uvw) {
+  Float reach = Float(0.0);
+  Float away = Float(0.0);
+  Vec4 at = precomputed_seen_ray(air, sight, uvw, reach, away);
+  int sharpest = precomputed_sharpest(air, phases);
+  Vec4 phase0 = Vec4(0.0);
+  Vec4 phase1 = Vec4(0.0);
+  Vec4 phase2 = Vec4(0.0);
+  Vec4 phase3 = Vec4(0.0);
+  if (sharpest == 0) phase0 = Vec4(1.0);
+  if (sharpest == 1) phase1 = Vec4(1.0);
+  if (sharpest == 2) phase2 = Vec4(1.0);
+  if (sharpest == 3) phase3 = Vec4(1.0);
+  Vec4 again = Vec4(0.0);
+  Vec4 depth = Vec4(0.0);
+  Vec4 first = precomputed_march(air, lattice, 1, Vec2(Float(16.0), Float(3.0)), 16, layers, sunlit, source, phase0, phase1, phase2, phase3, at, reach, again, depth);
+  return -ln4(max(first * (1.0 / reach), 1.0e-30));
+}
+
+/// A whole ray's place in these tables, between two bands; how far it is from the lower to the upper [1]. `at` as of meet_air.
+/// @param at [1] in -1..1
+/// @param lower [1]
+/// @param upper [1]
+/// @bound 1 scale 1e30   as precomputed_seen_row
+FN Float precomputed_seen_place(IN(Air) air, IN(Sight) sight, Vec4 at, OUT(Vec3) lower, OUT(Vec3) upper) {
+  Scalar rows = sight.ups + sight.limbs + sight.grounds;
+  Scalar v = 1.0 / (rows * sight.altitudes);
+  Float row = precomputed_seen_row(air, sight, at.x, at.y) + 0.5;
+  Float height = precomputed_layer(air, at.x) * (sight.altitudes - 1.0);
+  Float band = min(floor(height), sight.altitudes - 2.0);
+  Float across = sqrt(max((1.0 - at.y) * (1.0 + at.y), 0.0)) * sqrt(max((1.0 - at.z) * (1.0 + at.z), 0.0));
+  Float cosine = (at.w - at.y * at.z) / max(across, 1.0e-6);
+  Float half_sine = sqrt(clamp(0.5 - 0.5 * cosine, 0.0, 1.0));
+  lower = Vec3(half_texel(precomputed_sun_place(at.z), sight.suns), (band * rows + row) * v, half_texel(half_sine, sight.azimuths));
+  upper = Vec3(lower.x, lower.y + rows * v, lower.z);
+  return height - band;
+}
+
+/// What one of these tables holds there, per path. What it has not been told is darkness.
+FN Vec4 precomputed_seen_light(Table3 seen, Vec3 lower, Vec3 upper, Float higher) {
+  return max(exp(-mix(lookup(seen, lower), lookup(seen, upper), higher)) - Vec4(2.0e-30), 0.0);
+}
+
+/// -ln of the transmittance of a ray to the ground, from the table of depths to space [1]. `at` as of meet_air.
+FN Vec4 precomputed_depth_to_ground(IN(Air) air, Table2 optical_depth, Vec4 at, Float reach) {
+  Float up = clamp(-((air.ground_radius + at.x) * at.y + reach) * (1.0 / air.ground_radius), 0.0, 1.0);
+  Vec4 whole = lookup(optical_depth, depth_uv(air, Float(0.0), up, width_of(optical_depth), height_of(optical_depth)));
+  return max(whole - lookup(optical_depth, depth_uv(air, at.x, -at.y, width_of(optical_depth), height_of(optical_depth))), 0.0);
+}
+
+/// What a view ray brings, all orders of scattering, per solar irradiance [1/sr]: the air's part; light reflected by the ground where the
+/// ray meets it, already attenuated. A ray that ends in the air is marched through the lattice.
+FN_SHARED Vec4 precomputed_ray_light(IN(Air) air, IN(Lattice) lattice, IN(Sight) sight, Scalar panels, Table2 phases, Table2 layers, Table2 sunlit, Table2 sunlight, Table2 optical_depth, Table3 source,
+                                     Table2 ground_light, Table3 seen, Table3 seen_peak, Float altitude, Vec3 view, Vec3 sun, Float distance, OUT(Vec4) ground) {
+  Float reach = Float(0.0);
+  Float whole = Float(0.0);
+  Bool hits = reach > 1.0;
+  Vec4 at = meet_air(air, altitude, view, sun, distance, reach, whole, hits);
+  Float away = one_minus_cos(view, sun);
+  Vec3 lower = Vec3(Float(0.0), Float(0.0), Float(0.0));
+  Vec3 upper = lower;
+  Float higher = precomputed_seen_place(air, sight, at, lower, upper);
+  Vec4 again = precomputed_seen_light(seen, lower, upper, higher) * whole;
+  Vec4 light = Vec4(0.0);
+  Vec4 depth = Vec4(0.0);
+  if (sight.marched < 0.5) {
+    Vec4 phase = lookup_row(phases, sqrt(max(0.5 * away, 0.0)), precomputed_sharpest(air, phases));
+    light = precomputed_seen_light(seen_peak, lower, upper, higher) * phase * whole;
+    depth = precomputed_depth_to_ground(air, optical_depth, at, reach);
+  }
+  Bool ends = reach < whole;
+  if (sight.marched > 0.5 || any(ends)) {
+    // The source is looked up at the ends of panels alone: it wants more of them than sunlight does.
+    int orders = 1;
+    int most = int(panels);
+    if (any(ends)) {
+      orders = 3;
+      most = 2 * most;
+    }
+    Vec4 phase0 = Vec4(0.0);
+    Vec4 phase1 = Vec4(0.0);
+    Vec4 phase2 = Vec4(0.0);
+    Vec4 phase3 = Vec4(0.0);
+    precomputed_phases(air, phases, away, phase0, phase1, phase2, phase3);
+    Vec4 again_marched = Vec4(0.0);
+    Vec4 depth_marched = Vec4(0.0);
+    Vec4 light_marched = precomputed_march(air, lattice, orders, precomputed_panels(select(ends, Float(2.0 * panels), Float(panels)), ends), most, layers, sunlit, source, phase0, phase1, phase2, phase3, at, reach, again_marched, depth_marched);
+    again = select(ends, again_marched, again);
+    Bool take = ends || (Float(sight.marched) > 0.5);
+    light = select(take, light_marched, light);
+    depth = select(take, depth_marched, depth);
+  }
+  ground = Vec4(0.0);
+  if (any(hits)) {
+    Vec4 reflected = ground_radiance(air, sunlight, sunlight, 1, at, reach) + precomputed_ground(air, ground_light, at, reach);
+    ground = select(hits, reflected * exp(-depth), Vec4(0.0));
+  }
+  return light + again;
+}
