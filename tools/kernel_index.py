@@ -18,6 +18,9 @@ UNIFORM = {"Scalar", "Scalar4", "int"}
 REFUSED = set("pow acos asin atan log log2 exp2 tan inversesqrt mod fract sign step length distance normalize cross "
               "reflect refract smoothstep round trunc ceil isnan isinf dFdx dFdy texture texelFetch "
               "textureSize".split())
+# Words that GLSL keeps for itself and C++ does not.
+RESERVED = set("flat smooth noperspective centroid invariant patch sample shared precise coherent restrict readonly writeonly "
+               "buffer uniform varying attribute layout subroutine input output filter half fixed common partition active".split())
 
 
 class Fail(Exception):
@@ -177,6 +180,9 @@ class Kernels:
 
 
 def check_language(code, place):
+    for word in re.findall(r"\b[a-z]\w*\b", code):
+        if word in RESERVED:
+            place.fail(f"'{word}' is a word of GLSL's own")
     for word in re.findall(r"\b([a-z]\w*)\s*\(", code):
         if word in REFUSED:
             place.fail(f"'{word}' is not in the kernel language (see kernels/core/math.glsl)")

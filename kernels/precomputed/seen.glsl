@@ -40,8 +40,8 @@ FN Float precomputed_seen_row(IN(Air) air, IN(Sight) sight, Float altitude, Floa
   Float limb = lowest / max(altitude, 1.0e-3);
   // Of a short way down altitude over distance is the cosine; it stays so where there is no altitude.
   Float steep = select(altitude < 0.01, -mu, altitude / max(distance_to_ground(air.ground_radius, altitude, mu), 0.01));
-  Float flat = sqrt(altitude / (2.0 * air.ground_radius + altitude));
-  Float down = (steep - flat) / max(1.0 - flat, 1.0e-3);
+  Float grazing = sqrt(altitude / (2.0 * air.ground_radius + altitude));
+  Float down = (steep - grazing) / max(1.0 - grazing, 1.0e-3);
   Bool hits = mu < mu_horizon(air.ground_radius, altitude);
   Float part = sqrt(clamp(select(hits, down, select(mu < 0.0, limb, up)), 0.0, 1.0));
   Float last = select(hits, Float(sight.grounds - 1.0), select(mu < 0.0, Float(sight.limbs - 1.0), Float(sight.ups - 1.0)));
@@ -66,8 +66,8 @@ FN Float precomputed_seen_mu(IN(Air) air, IN(Sight) sight, Float altitude, Float
   // Straight up and straight down are exact: an angle whose cosine is off by the last bit is off by 0.03 degrees.
   Float up = select(part > 0.0, clamp((gap_above - path * path) / (2.0 * radius * path), 0.0, 1.0), Float(1.0));
   Float limb = -sqrt(max(gap_below - 2.0 * air.ground_radius * altitude * part, 0.0)) / radius;
-  Float flat = sqrt(altitude / (2.0 * air.ground_radius + altitude));
-  Float steep = max(mix(flat, Float(1.0), part), 1.0e-6);
+  Float grazing = sqrt(altitude / (2.0 * air.ground_radius + altitude));
+  Float steep = max(mix(grazing, Float(1.0), part), 1.0e-6);
   Float down = select(steep < 1.0, -(steep * (2.0 * air.ground_radius + altitude) + altitude / steep) / (2.0 * radius), Float(-1.0));
   Float horizon = mu_horizon(air.ground_radius, altitude);
   Float mu = select(hits, clamp(down, -1.0, horizon), select(past, max(limb, horizon), up));
