@@ -486,8 +486,8 @@ struct SceneRenderer::Impl {
   }
 
   // Of a pixel, counted along rows.
-  std::size_t first_sample(const SceneRows& out, std::size_t pixel) const {
-    const auto x = pixel % std::size_t(width), y = pixel / std::size_t(width), rows = std::size_t(out.end - out.begin);
+  std::size_t first_sample(const SceneRows& out, std::size_t place) const {
+    const auto x = place % std::size_t(width), y = place / std::size_t(width), rows = std::size_t(out.end - out.begin);
     return (x * rows + y) * std::size_t(samples);
   }
 

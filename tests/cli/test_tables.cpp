@@ -93,7 +93,7 @@ TEST(Tables, every_table_is_there_twice) {
 
 TEST(Tables, a_scene_gives_its_air_sun_and_eye) {
   const Folder folder;
-  const std::string scene = R"(
+  const std::string text = R"(
 air = { base = "earth", aerosol_optical_depth = 0.3 }
 [camera]
 height_above_ground = 800
@@ -101,7 +101,7 @@ height_above_ground = 800
 elevation = 25
 azimuth = 40
 )";
-  write_file(folder / "scene.toml", scene);
+  write_file(folder / "scene.toml", text);
   ASSERT_EQ(run(folder, {"tables", "scene.toml", "-o", "of_scene"}).code, 0);
   ASSERT_EQ(run(folder, {"tables", "earth", "--aerosol-optical-depth", "0.3", "--sun-elevation", "25", "--sun-azimuth",
                          "40", "--altitude", "800", "-o", "of_words"})

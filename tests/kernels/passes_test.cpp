@@ -59,12 +59,12 @@ Differences differences(const std::vector<T>& got, const std::vector<T>& expecte
 
 class Passes : public testing::TestWithParam<Case> {
  protected:
-  // Float resolves 6e-8; a ray adds up some hundred terms, and its altitude, 1e5 m and more, is known to 1e-2 m. Rays that graze the
+  // Float resolves 6e-8; a ray adds up some hundred terms of ln and exp, and its altitude, 1e5 m and more, is known to 1e-2 m. Rays that graze the
   // top of the air or the ground from space, and light that has been weakened e^10 times, lose more digits. Near the Sun's azimuth a cosine
   // known to 1e-7 means an angle known to 1e-5: 6e-5 where peaked light is looked up by it (precomputed, Mars' dust).
   static void expect_close(const char* what, const Differences& d) {
     std::printf("%-16s median %.1e  98 %% below %.1e  worst %.1e\n", what, d.median, d.most, d.worst);
-    EXPECT_LT(d.median, 1e-6) << what;
+    EXPECT_LT(d.median, 3e-6) << what;
     EXPECT_LT(d.most, 1e-4) << what;
     EXPECT_LT(d.worst, 3e-4) << what;
   }
