@@ -42,6 +42,8 @@ class Answerer {
 struct Workshop {
   std::shared_ptr<Engine> engine;
   std::function<Atmosphere(const std::string& name)> atmosphere;  ///< throws InputError
+  std::string model = {};                                         ///< whose parameters these are
+  Parameters parameters = {};
 };
 
 /// Answerers by model name, made when first asked for.

@@ -27,7 +27,9 @@ class SkyAnswerer : public Answerer {
     if (const auto found = skies_.find(atmosphere); found != skies_.end()) return found->second;
     // A batch may name any number of files; a few kept are enough, since equal lines are answered together.
     if (skies_.size() >= 64) skies_.clear();
-    return skies_.emplace(atmosphere, Sky(workshop_.atmosphere(atmosphere), model_, workshop_.engine)).first->second;
+    const Parameters own = model_ == workshop_.model ? workshop_.parameters : Parameters{};
+    return skies_.emplace(atmosphere, Sky(workshop_.atmosphere(atmosphere), model_, workshop_.engine, own))
+        .first->second;
   }
 
   std::string model_;

@@ -51,7 +51,7 @@ void ModelOptions::add_to(const Verb& verb) {
       .group(group)
       .type_name("NAME");
   verb.option("--set", set,
-              "a parameter of a published system: a number, numbers with commas, or a word; may be repeated")
+              "a parameter of the model (`airlight models`): a number, numbers with commas, or a word; may be repeated")
       .group(group)
       .one_value_each()
       .type_name("NAME=VALUE");

@@ -52,8 +52,8 @@ Report make_report(const ProbeOptions& options) {
       parse_wavelengths(options.wavelengths.empty() ? "400:700:50" : options.wavelengths, "--wavelengths");
   Atmosphere atmosphere = options.air.load();
   report.sun.apply_distance(atmosphere);
-  check_model_name(options.machine.model, "--model", answering_models());
-  Answerers answerers({options.machine.make(), [&](const std::string&) { return atmosphere; }});
+  Answerers answerers({options.machine.make(), [&](const std::string&) { return atmosphere; }, options.machine.model,
+                       options.own.parameters()});
   Answerer& answerer = answerers.named(options.machine.model);
   report.atmosphere = atmosphere.name;
   report.model = options.machine.model;
@@ -178,20 +178,29 @@ ColourQuestion colour_question(const ProbeOptions& options) {
 }
 
 int run_probe(const ProbeOptions& options) {
+  const std::string& model = options.machine.model;
+  check_model_name(model, "--model", answering_models());
+  const Parameters own = options.own.parameters();
+  const auto known = models();
+  const auto info = std::ranges::find(known, model, &ModelInfo::name);
+  if (!own.empty() && (info == known.end() || info->parameters.empty()))
+    throw InputError(fmt::format("--set, --preset: expected none: model {} has no parameters", model));
+  const bool in_colours = info != known.end() && info->colours;
   if (!options.batch.empty()) {
-    check_model_name(options.machine.model, "--model", answering_models());
-    Answerers answerers({options.machine.make(), [&](const std::string& name) {
-                           return with_overrides(load_atmosphere(name), options.air.overrides);
-                         }});
-    return answer_batch(options.batch, options.output, answerers, {options.air.planet, options.machine.model});
+    if (in_colours && !own.empty())
+      throw InputError(
+          fmt::format("--set, --preset: expected none with --batch: model {} answers in red, green and blue", model));
+    const std::shared_ptr<Engine> engine = options.machine.make();
+    if (!own.empty()) Sky(options.air.load(), model, engine, own);  // a bad parameter is told before any line
+    Answerers answerers(
+        {engine, [&](const std::string& name) { return with_overrides(load_atmosphere(name), options.air.overrides); },
+         model, own});
+    return answer_batch(options.batch, options.output, answerers, {options.air.planet, model});
   }
-  const auto published = [&](const ModelInfo& info) { return info.name == options.machine.model && info.colours; };
-  if (std::ranges::any_of(models(), published)) {
+  if (in_colours) {
     write_text(options.output, probe_colours(colour_question(options), options.json));
     return ok;
   }
-  if (const Parameters own = options.own.parameters(); !own.empty())
-    throw InputError(fmt::format("--set, --preset: expected none: model {} has no parameters", options.machine.model));
   const Report report = make_report(options);
   write_text(options.output, options.json ? as_json(report, options) : as_table(report, options));
   return ok;
@@ -229,8 +238,6 @@ void add_probe(CommandLine& line) {
   options->air.add_to(probe);
   options->machine.add_to(probe, answering_models());
   options->own.add_to(probe);
-  probe.find("--preset").excludes(batch);
-  probe.find("--set").excludes(batch);
   probe.runs([options] { return run_probe(*options); });
 }
 

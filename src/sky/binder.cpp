@@ -96,7 +96,8 @@ std::vector<Table> Binder::run(std::string_view name, Shape shape) const {
 
 std::vector<Table> Binder::run(const TablePass& made) const {
   const Shape shape = made.shape_for(situation_);
-  if (!made.on_disk) return run(made.pass, shape);
+  constexpr std::size_t few = 4096;  // made sooner than read
+  if (!made.on_disk || shape.texels() < few) return run(made.pass, shape);
   const PassInfo& pass = kernel_pass(made.pass);
   std::vector<double> numbers = parameters(pass, shape);
   numbers.insert(numbers.end(), {double(shape.width), double(shape.height), double(shape.depth)});

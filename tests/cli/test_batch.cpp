@@ -134,6 +134,24 @@ TEST(Batch, options_fill_in_for_lines_that_name_no_air_or_model) {
   EXPECT_NEAR(std::log(clear[0]["value"][1].get<double>() / hazy[0]["value"][1].get<double>()), 0.4, 1e-3);
 }
 
+TEST(Batch, parameters_are_those_of_the_model_that_is_named_beside_them) {
+  const json fast = with(example, {{"atmosphere", "earth"}, {"model", "precomputed"}}),
+             exact = with(fast, {{"model", "single"}});
+  const std::vector<std::string> draft{"--model", "precomputed", "--set", "detail=draft"};
+  const auto answers = json_lines(batch(lines({fast, exact}), draft).out);
+  const auto few =
+      json_lines(batch(lines({fast}), {"--model", "precomputed", "--set", "detail=draft", "--set", "panels=3"}).out);
+  EXPECT_EQ(answers[1]["value"], json_lines(batch(lines({exact})).out)[0]["value"]);
+  EXPECT_GT(number(answers[0]), 1.05 * number(answers[1])) << "all orders and one";
+  EXPECT_NE(number(few[0]), number(answers[0]));
+  EXPECT_NEAR(number(few[0]) / number(answers[0]), 1, 0.05);
+
+  const Outcome bad = batch(lines({fast}), {"--model", "precomputed", "--set", "panels=1"});
+  EXPECT_EQ(bad.code, 2);
+  EXPECT_NE(bad.err.find("3 .. 64"), std::string::npos) << bad.err;
+  EXPECT_EQ(batch(lines({fast}), {"--model", "codeflow", "--set", "g=0"}).code, 2);
+}
+
 TEST(Batch, a_segment_of_no_length_is_empty) {
   const auto answers = json_lines(batch(lines({with(example, {{"distance", 0}, {"quantity", "transmittance"}}),
                                                with(example, {{"distance", 0}, {"quantity", "path_radiance"}})}))

@@ -74,7 +74,7 @@ TEST_P(Watch, ends_the_work_by_throwing_and_nothing_half_made_is_kept) {
   EXPECT_EQ(files(), 0);
   engine_->watch({});
   const std::vector<double> after = ask();
-  EXPECT_EQ(files(), sets());
+  EXPECT_EQ(files(), 2 * sets()) << "orders, and what is seen along whole rays";
   const auto undisturbed = make_engine(GetParam());
   engine_ = undisturbed;
   EXPECT_EQ(ask(), after);
