@@ -28,8 +28,10 @@ bool from_tables(const Situation& situation) {
 Sizes sizes(const Situation& situation) {
   if (situation.parameters && situation.parameters->word("detail") == "draft")
     return {20, 10, 8, 4, 8, 5, {24, 12, 14, 12, 8, 5}};
-  // Two tables are seen of where nothing is marched: with fewer azimuths, so that all stay below 64 MiB.
-  return {64, 24, 24, 10, 20, 10, {64, 32, 24, 20, 12, from_tables(situation) ? 10 : 14}};
+  // There are two of the tables of what is seen where nothing is marched: smaller ones, so that all stay below 64 MiB.
+  const Sizes::Seen seen =
+      from_tables(situation) ? Sizes::Seen{64, 32, 24, 20, 12, 10} : Sizes::Seen{64, 40, 24, 20, 12, 14};
+  return {64, 24, 24, 10, 20, 10, seen};
 }
 
 TablePass sized(std::string_view pass, Shape (*shape)(const Sizes&)) {
