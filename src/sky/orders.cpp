@@ -13,6 +13,9 @@ namespace {
 constexpr int most_orders = 100;
 // Done when an order adds less than a thousandth anywhere, of places above a millionth of the brightest under the same Sun.
 constexpr double small_part = 1e-3, dark = 1e-6;
+// Under a Sun whose brightest is less than this, of sunlight, it is night (starlight is 1e-9). A part `dark` of it is far above the 1e-30
+// that passes keep for no light at all: of that, each order adds as much as the one before, and is no sign that the sum has not settled.
+constexpr double night = 1e-20;
 
 std::vector<double> texels(const Binder& binder, const Table& table) {
   std::vector<double> values(4 * table.shape.texels());
@@ -23,7 +26,7 @@ std::vector<double> texels(const Binder& binder, const Table& table) {
 /// The largest part that an order has of the sum; of values that matter for their Sun (a column) and wavelength.
 double largest_part(const std::vector<double>& order, const std::vector<double>& sum, Shape shape) {
   const std::size_t row = 4 * std::size_t(shape.width);
-  std::vector<double> brightest(row, 1e-25);  // what is darker is the night
+  std::vector<double> brightest(row, night);
   for (std::size_t i = 0; i < sum.size(); ++i) brightest[i % row] = std::max(brightest[i % row], sum[i]);
   double largest = 0;
   for (std::size_t i = 0; i < sum.size(); ++i) {
