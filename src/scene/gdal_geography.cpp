@@ -58,29 +58,30 @@ struct System {
   OGRSpatialReference system, planet;
   Transformation to_planet, from_planet;
 };
+std::mutex systems_mutex;
+std::map<std::string, System> systems;  // by WKT
 
-/// PROJ takes 50 ms to find the best way between two datums: it is asked once for each system.
-/// @param work  gets the System, alone: a transformation is not thread-safe
-template <typename Work>
-auto with_system(const std::string& wkt, const std::string& name, const Work& work) {
-  static std::mutex mutex;
-  static std::map<std::string, System> known;
-  const std::lock_guard lock(mutex);
-  const GdalQuiet quiet;
-  auto found = known.find(wkt);
-  if (found == known.end()) {
-    System s;
-    if (s.system.importFromWkt(wkt.c_str()) != OGRERR_NONE) {
-      throw InputError(name + ": its coordinate system is not understood: " + wkt.substr(0, 200));
-    }
-    if (s.system.IsLocal()) throw InputError(name + ": its coordinate system is a local one, of no known place");
-    s.system.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
-    s.planet = geographic(&s.system);
-    s.to_planet.reset(OGRCreateCoordinateTransformation(&s.system, &s.planet));
-    if (s.to_planet) s.from_planet.reset(s.to_planet->GetInverse());
-    if (!s.from_planet) throw InputError(name + ": no way leads from its coordinate system to longitude and latitude");
-    found = known.emplace(wkt, std::move(s)).first;
+System understood(const std::string& wkt, const std::string& name) {
+  System s;
+  if (s.system.importFromWkt(wkt.c_str()) != OGRERR_NONE) {
+    throw InputError(name + ": its coordinate system is not understood: " + wkt.substr(0, 200));
   }
+  if (s.system.IsLocal()) throw InputError(name + ": its coordinate system is a local one, of no known place");
+  s.system.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+  s.planet = geographic(&s.system);
+  s.to_planet.reset(OGRCreateCoordinateTransformation(&s.system, &s.planet));
+  if (s.to_planet) s.from_planet.reset(s.to_planet->GetInverse());
+  if (!s.from_planet) throw InputError(name + ": no way leads from its coordinate system to longitude and latitude");
+  return s;
+}
+
+/// PROJ takes long to find the best way between two datums: it is asked once for each system.
+/// @param work  gets the System, alone: a transformation is not thread-safe
+auto with_system(const std::string& wkt, const std::string& name, const auto& work) {
+  const std::lock_guard lock(systems_mutex);
+  const GdalQuiet quiet;
+  auto found = systems.find(wkt);
+  if (found == systems.end()) found = systems.emplace(wkt, understood(wkt, name)).first;
   return work(found->second);
 }
 
