@@ -46,5 +46,22 @@ TEST(SkyView, the_floor_of_a_long_valley) {
   EXPECT_NEAR(map.at(0, 0), 1 / std::sqrt(2.0), 0.03);
 }
 
+TEST(SkyView, a_place_sees_the_same_from_the_middle_and_the_edge_of_a_map) {
+  const Scratch scratch;
+  const Land land = land_of(scratch, [](double east, double north) {
+    return 1000 + 300 * std::sin(0.004 * east + 0.001 * north) + 200 * std::cos(0.005 * north);
+  });
+  // Half a cell inside the west edge of one, in the middle of the other; as whole cells lie between, both ask for the same places nearby.
+  const SkyViewMap edge = sky_view_map(land, 0, 0, 400, 16), middle = sky_view_map(land, -400, 0, 400, 16);
+  double most = 0;
+  for (int j = 2; j < 14; ++j) {
+    const double east = edge.first_east, north = edge.first_north + j * edge.spacing;
+    // Farther land is smoothed over cells that lie otherwise: 0.0016 here.
+    EXPECT_NEAR(edge.at(east, north), middle.at(east, north), 0.004) << north;
+    most = std::max(most, 1 - edge.at(east, north));
+  }
+  EXPECT_GT(most, 0.07);
+}
+
 }  // namespace
 }  // namespace airlight
