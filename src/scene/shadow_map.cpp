@@ -62,17 +62,43 @@ struct Ground {
   }
 };
 
-/// The cells [first, last) of one of the map's axes that a cone from its middle may lie over: all, or those on one side.
-struct Cells {
-  int first, last;
-
-  Cells(const ShadowGrid& grid, const std::array<double, 2>& axis) : first(0), last(grid.cells) {
-    constexpr double right_angle = std::numbers::pi / 2;
-    constexpr int margin = 2;  // of interpolation
-    const double turn = std::acos(std::clamp(grid.axis[0] * axis[0] + grid.axis[1] * axis[1], -1.0, 1.0));
-    if (turn + grid.half_angle < right_angle) first = std::max(0, grid.cells / 2 - margin);
-    if (turn - grid.half_angle > right_angle) last = std::min(grid.cells, grid.cells / 2 + margin);
+/// The cells of a map that a cone from its middle may lie over: seen from above, a wedge, or everything.
+class Wedge {
+ public:
+  Wedge(const ShadowGrid& grid, const ShadowMap& map) : cells_(grid.cells) {
+    const double level = std::hypot(grid.axis[0], grid.axis[1]), sine = std::sin(grid.half_angle);
+    whole_ = grid.half_angle >= std::numbers::pi / 2 || sine >= level;  // the cone holds a vertical
+    if (whole_) return;
+    const double cosine = std::sqrt(level * level - sine * sine);
+    const auto part = [&](const std::array<double, 2>& axis) {
+      return (grid.axis[0] * axis[0] + grid.axis[1] * axis[1]) / (level * level);
+    };
+    const double u = part(map.along), v = part(map.across);
+    right_ = {u * cosine + v * sine, v * cosine - u * sine};
+    left_ = {u * cosine - v * sine, v * cosine + u * sine};
   }
+
+  /// [first, last) of a row; none: first = last.
+  std::array<int, 2> columns(int row) const {
+    if (whole_) return {0, cells_};
+    constexpr double margin = 3;  // of interpolation
+    const double middle = 0.5 * (cells_ - 1), v = row - middle;
+    // To the left of its right edge, and to the right of its left one: slope * u + rest >= 0.
+    double first = -middle, last = middle;
+    for (const auto& [slope, rest] :
+         {std::pair{-right_[1], right_[0] * v + margin}, {left_[1], margin - left_[0] * v}}) {
+      if (slope > 0) first = std::max(first, -rest / slope);
+      if (slope < 0) last = std::min(last, -rest / slope);
+      if (slope == 0 && rest < 0) last = first - 1;
+    }
+    if (last < first) return {0, 0};
+    return {int(std::ceil(first + middle)), int(std::floor(last + middle)) + 1};
+  }
+
+ private:
+  int cells_;
+  bool whole_;
+  std::array<double, 2> right_{}, left_{};  ///< its edges: unit vectors in the map's axes
 };
 
 }  // namespace
@@ -103,36 +129,37 @@ ShadowMap shadow_map(const Land& land, const Direction& sun, double angular_radi
   constexpr float underground = -1e6f;
   map.dark.assign(count * count, underground);
   map.lit.assign(count * count, underground);
-  const Cells rows(grid, map.across), columns(grid, map.along);
+  const Wedge looked_at(grid, map);
 
   const double elevation = std::atan2(sun[2], flat), centre = land.frame().radius();
   const SunPlane upper(elevation + angular_radius), lower(elevation - angular_radius);
-  // Ground beyond the map throws shadows into it from as far as a ray climbs above all summits, the planet's curve included.
+  // Ground beyond what is looked at throws shadows into it from as far as a ray climbs above all summits, the planet's curve included.
   const double relief = land.highest() - std::min(land.plain_altitude(), 0.0) + 1000, slope = lower.sine / lower.cosine;
-  const double edge = map.first_along + 2 * inner;
   const double reach = centre * (-slope + std::sqrt(slope * slope + 2 * relief / centre));
-  const double farthest = std::max(edge, std::min(edge + reach, std::sqrt(2.0) * land.extent()));
 
-  // A ridge's shadow is as soft as its distance times the sun's width: far ground may be coarse.
-  std::vector<double> beyond, inside;
-  for (double u = farthest; u > edge; u -= std::max(map.spacing, 0.005 * (u - edge))) beyond.push_back(u);
-  for (int i = columns.first; i < grid.cells; ++i) inside.push_back(map.first_along + i * map.spacing);
-
-  tbb::parallel_for(rows.first, rows.last, [&](int row) {
-    const double v = map.first_across + row * map.spacing;
+  tbb::parallel_for(0, grid.cells, [&](int row) {
+    const auto [first, last] = looked_at.columns(row);
+    if (first == last) return;
+    const double v = map.first_across + row * map.spacing, edge = map.first_along + (last - 1) * map.spacing;
+    const double farthest = std::max(edge, std::min(edge + reach, std::sqrt(2.0) * land.extent()));
+    std::vector<double> line;
+    for (double i = first;;) {
+      const double u = map.first_along + i * map.spacing;
+      if (u > farthest) break;
+      line.push_back(u);
+      // A ridge's shadow is as soft as its distance times the sun's width: far ground may be coarse.
+      i += std::max(1.0, std::floor(0.005 * (i - last)));
+    }
+    const Ground ground(land, map, v, line, 0.5 * map.spacing);
     const double sphere = centre + land.plain_altitude();
     const double circle = std::sqrt(std::max(sphere * sphere - v * v, 0.0));
     double dark = upper.of_planet(farthest, circle, centre), lit = lower.of_planet(farthest, circle, centre);
-    const auto meet = [&](const Ground& ground, std::size_t i) {
+    for (std::size_t i = line.size(); i-- > 0;) {
       dark = std::max(dark, upper.offset(ground.u[i], ground.z[i]));
       lit = std::max(lit, lower.offset(ground.u[i], ground.z[i]));
-    };
-    const Ground far(land, map, v, beyond, 0.5 * map.spacing), near(land, map, v, inside, 0.5 * map.spacing);
-    for (std::size_t i = 0; i < beyond.size(); ++i) meet(far, i);
-    for (std::size_t i = inside.size(); i-- > 0;) {
-      meet(near, i);
-      const double u = inside[i], x = u * map.along[0] + v * map.across[0], y = u * map.along[1] + v * map.across[1];
-      const std::size_t k = std::size_t(row) * count + std::size_t(columns.first) + i;
+      if (i >= std::size_t(last - first)) continue;
+      const double u = line[i], x = u * map.along[0] + v * map.across[0], y = u * map.along[1] + v * map.across[1];
+      const std::size_t k = std::size_t(row) * count + std::size_t(first) + i;
       map.dark[k] = float(land.frame().altitude({x, y, upper.height(u, dark)}));
       map.lit[k] = float(land.frame().altitude({x, y, lower.height(u, lit)}));
     }

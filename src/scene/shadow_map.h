@@ -12,8 +12,8 @@ struct ShadowGrid {
   double east = 0, north = 0;  ///< its middle, straight (not along the sphere) in the scene's frame [m]
   double half_width = 40'000;  ///< [m]
   int cells = 768;             ///< along a side
-  /// Cone around a direction of the scene's frame that holds all that is looked at from above the middle [rad]; what lies to one side
-  /// of it is left lit.
+  /// Cone around a direction of the scene's frame that holds all that is looked at from above the middle [rad]; what lies beside it is
+  /// left lit.
   Direction axis{0, 0, 1};
   double half_angle = std::numbers::pi;
 };
