@@ -18,18 +18,21 @@ struct Lattice {
   Scalar straight;   // [1] in 0..1    sine of half the angle within which light counts as scattered straight on
 };
 
-/// Place of a zenith cosine of the Sun among the lattice's, from 25 degrees below the horizon to the zenith [1]: half a degree apart
-/// at the horizon, six times that at the zenith.
+/// How far below the horizon the Sun is followed, as a sine [1]: 25 degrees. On planets greater than Earth air of the same height sees the
+/// Sun for less, as a root of their radius, and dusk is shorter.
+FN Scalar precomputed_nightfall(IN(Air) air) { return 0.42 * min(1.0, sqrt(6.4e6 / air.ground_radius)); }
+/// Place of a zenith cosine of the Sun among the lattice's [1]: half a degree apart above the horizon, six times that at the zenith.
 /// @param mu_s [1] in -1..1
-FN Float precomputed_sun_place(Float mu_s) {
+FN Float precomputed_sun_place(IN(Air) air, Float mu_s) {
+  Scalar last = precomputed_nightfall(air);
   Float up = max(mu_s, 0.0);
-  return select(mu_s < 0.0, 0.45 * (1.0 - min(-mu_s, 0.42) * (1.0 / 0.42)), 0.45 + 0.825 * up / (up + 0.5));
+  return select(mu_s < 0.0, 0.45 * (1.0 - min(-mu_s, last) * (1.0 / last)), 0.45 + 0.825 * up / (up + 0.5));
 }
 /// Zenith cosine of the Sun at a place among the lattice's [1].
 /// @param u [1] in 0..1
-FN Float precomputed_sun(Float u) {
+FN Float precomputed_sun(IN(Air) air, Float u) {
   Float up = clamp((u - 0.45) * (1.0 / 0.55), 0.0, 1.0);
-  return select(u < 0.45, 0.42 * (u * (1.0 / 0.45) - 1.0), 0.5 * up / (1.5 - up));
+  return select(u < 0.45, precomputed_nightfall(air) * (u * (1.0 / 0.45) - 1.0), 0.5 * up / (1.5 - up));
 }
 
 /// One of the lattice's altitudes [m].
@@ -70,7 +73,7 @@ FN Vec4 precomputed_source_at(IN(Air) air, IN(Lattice) lattice, Table3 source, F
   // With the view or the Sun at the zenith azimuth means nothing, and the source does not depend on it.
   Float azimuth = arc_cosine((nu - mu * mu_s) / max(across, 1.0e-6));
   Float w = half_texel(azimuth * 0.318309886183791, lattice.azimuths);
-  Float u = half_texel(precomputed_sun_place(mu_s), lattice.suns);
+  Float u = half_texel(precomputed_sun_place(air, mu_s), lattice.suns);
   Float zenith = half_texel(arc_cosine(mu) * 0.318309886183791, lattice.zeniths);
   Float height = precomputed_altitude_place(air, lattice, altitude);
   Float band = min(floor(height), lattice.altitudes - 2.0);

@@ -140,7 +140,7 @@ FN Float precomputed_dusk(Float mu_s) { return 3.0 * mu_s + 47.0 * min(mu_s, 0.0
 /// What the ground sends back of light that has been scattered, per solar irradiance [1/sr]. `at` and `reach` are those of a ray that ends there.
 FN Vec4 precomputed_ground(IN(Air) air, Table2 ground_light, Vec4 at, Float reach) {
   Float mu_s = ((air.ground_radius + at.x) * at.z + reach * at.w) * (1.0 / air.ground_radius);
-  return exp(-lookup_row(ground_light, precomputed_sun_place(mu_s), 0)) * Vec4(air.albedo) * 0.318309886183791;
+  return exp(-lookup_row(ground_light, precomputed_sun_place(air, mu_s), 0)) * Vec4(air.albedo) * 0.318309886183791;
 }
 
 /// Panels of a ray, and those of them for a piece in the planet's shadow, where light of the first order is missing [1]: a third, or, where

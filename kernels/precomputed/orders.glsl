@@ -19,7 +19,7 @@ FN Float precomputed_light_place(IN(Air) air, IN(Lattice) lattice, Vec2 uv, OUT(
   Float altitude = precomputed_altitude(air, lattice, band);
   Float solid_angle = Float(0.0);
   view = precomputed_direction(lattice, row - band * directions, mu_horizon(air.ground_radius, altitude), solid_angle);
-  mu_s = precomputed_sun(from_half_texel(uv.x, lattice.suns));
+  mu_s = precomputed_sun(air, from_half_texel(uv.x, lattice.suns));
   return altitude;
 }
 /// The Sun with this zenith cosine, over the x axis [1].
@@ -75,7 +75,7 @@ FN Vec4 precomputed_darkness_pass(Vec3 uvw) { return Vec4(80.0 + 0.0 * uvw.x); }
 FN Vec4 precomputed_peaks_pass(IN(Air) air, IN(Lattice) lattice, Table2 phases, Vec2 uv) {
   Float altitude = precomputed_altitude(air, lattice, floor(uv.y * lattice.altitudes));
   Float horizon = mu_horizon(air.ground_radius, altitude);
-  Vec3 sun = precomputed_sun_direction(precomputed_sun(from_half_texel(uv.x, lattice.suns)));
+  Vec3 sun = precomputed_sun_direction(precomputed_sun(air, from_half_texel(uv.x, lattice.suns)));
   Vec4 sum = Vec4(0.0);
   int count = int(lattice.rings * lattice.sectors);
   for (int i = 0; i < count; ++i) {

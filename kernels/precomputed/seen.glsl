@@ -86,7 +86,7 @@ FN Vec4 precomputed_seen_ray(IN(Air) air, IN(Sight) sight, Vec3 uvw, OUT(Float) 
   Float band = floor((row + 0.5) * (1.0 / rows));
   Float altitude = precomputed_level_altitude(air, band * (1.0 / (sight.altitudes - 1.0)));
   Float mu = precomputed_seen_mu(air, sight, altitude, row - band * rows, reach);
-  Float mu_s = precomputed_sun(from_half_texel(uvw.x, sight.suns));
+  Float mu_s = precomputed_sun(air, from_half_texel(uvw.x, sight.suns));
   Float half_sine = from_half_texel(uvw.z, sight.azimuths);
   Float cosine = 1.0 - 2.0 * half_sine * half_sine;
   Float across = sqrt(max((1.0 - mu) * (1.0 + mu), 0.0));
@@ -165,7 +165,7 @@ FN Float precomputed_seen_place(IN(Air) air, IN(Sight) sight, Vec4 at, OUT(Vec3)
   Float across = sqrt(max((1.0 - at.y) * (1.0 + at.y), 0.0)) * sqrt(max((1.0 - at.z) * (1.0 + at.z), 0.0));
   Float cosine = (at.w - at.y * at.z) / max(across, 1.0e-6);
   Float half_sine = sqrt(clamp(0.5 - 0.5 * cosine, 0.0, 1.0));
-  lower = Vec3(half_texel(precomputed_sun_place(at.z), sight.suns), (band * rows + row) * v, half_texel(half_sine, sight.azimuths));
+  lower = Vec3(half_texel(precomputed_sun_place(air, at.z), sight.suns), (band * rows + row) * v, half_texel(half_sine, sight.azimuths));
   upper = Vec3(lower.x, lower.y + rows * v, lower.z);
   return height - band;
 }
