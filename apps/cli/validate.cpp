@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 
+#include <filesystem>
 #include <fstream>
 #include <memory>
 #include <sstream>
@@ -10,22 +11,35 @@
 #include "airlight/error.h"
 #include "command_line.h"
 #include "commands.h"
+#include "interrupt.h"
 #include "options.h"
 #include "text_output.h"
 
 namespace airlight::cli {
 
-void write_into_page(const std::string& page, const std::string& name, const std::string& text) {
-  std::ifstream file(page);
+PagePart::PagePart(std::string page, const std::string& name) : page_(std::move(page)) {
+  if (page_.empty()) return;
+  std::ifstream file(page_);
   std::ostringstream whole;
-  if (!(file && whole << file.rdbuf())) throw InputError(fmt::format("{}: cannot be read", page));
+  if (!(file && whole << file.rdbuf())) throw InputError(fmt::format("--page = {}: cannot be read", page_));
   const std::string old = whole.str(), end_mark = fmt::format("<!-- {} end", name);
   const std::size_t begin = old.find(fmt::format("<!-- {} begin", name)), from = old.find('\n', begin),
                     end = old.find(end_mark, begin);
   if (begin == std::string::npos || from == std::string::npos || end == std::string::npos)
-    throw InputError(fmt::format("{}: expected a line that begins with \"<!-- {} begin\", and \"{}\" below it", page,
-                                 name, end_mark));
-  write_text(page, old.substr(0, from + 1) + text + old.substr(end));
+    throw InputError(fmt::format("--page = {}: expected a line that begins with \"<!-- {} begin\", and \"{}\" below it",
+                                 page_, name, end_mark));
+  before_ = old.substr(0, from + 1);
+  after_ = old.substr(end);
+}
+
+void PagePart::write(const std::string& text) const {
+  if (!page_.empty()) write_text(page_, before_ + text + after_);
+}
+
+void make_report_folder(const std::string& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) throw InputError(fmt::format("--output = {}: cannot be made a folder: {}", folder, error.message()));
 }
 
 void add_validate(CommandLine& line) {
@@ -35,7 +49,7 @@ void add_validate(CommandLine& line) {
       .option("-o,--output", options->folder, "folder for tables and chart; started again, an interrupted run goes on")
       .required()
       .type_name("DIR");
-  validate.flag("--quick", options->quick, "four of the yardstick's eight wavelengths");
+  const Option quick = validate.flag("--quick", options->quick, "four of the yardstick's eight wavelengths");
   validate
       .option("--model", options->models,
               "judge this one, with parameters of its own after a colon; may be repeated (default all)")
@@ -45,20 +59,29 @@ void add_validate(CommandLine& line) {
       validate.flag("--measured", options->measured,
                     "compare with measured and published values instead; with --quick precomputed is asked at fewer "
                     "wavelengths; random walks where --model reference asks for them");
-  validate
-      .flag("--spectrum", options->spectrum,
-            "colours of 3, 4, 8 and 16 wavelengths against 40 instead, and the best four with their matrix")
-      .excludes(measured);
+  const Option spectrum =
+      validate
+          .flag("--spectrum", options->spectrum,
+                "colours of 3, 4, 8 and 16 wavelengths against 40 instead, and the best four with their matrix")
+          .excludes(measured)
+          .excludes(quick);
   validate.option("--data", options->data, "folder of Airlight's data (default data)").type_name("DIR");
   validate
       .option("--against", options->against,
               "ledger.json of an earlier run: the same rays are asked, and a figure that became worse is a failure")
+      .excludes(measured)
+      .excludes(spectrum)
       .type_name("FILE");
   validate.option("--page", options->page, "page (Markdown) whose part between marks is written anew")
       .type_name("FILE");
   validate.runs([options] {
     const auto part = options->measured ? validate_measured : options->spectrum ? validate_spectrum : validate_ledger;
-    return part(*options);
+    try {
+      return part(*options);
+    } catch (const Interrupted&) {
+      if (options->spectrum) throw;
+      throw Interrupted("what is done is kept, and the same command goes on there");
+    }
   });
 }
 

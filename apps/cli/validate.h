@@ -23,8 +23,19 @@ int validate_measured(const ValidateOptions& options);
 /// Colours of few wavelengths against those of many; fits the four of real time.
 int validate_spectrum(const ValidateOptions& options);
 
-/// Writes the text between "<!-- NAME begin" and "<!-- NAME end" of a page anew.
-/// @throws InputError where the page cannot be read or has no such marks
-void write_into_page(const std::string& page, const std::string& name, const std::string& text);
+/// The part of a page between "<!-- NAME begin" and "<!-- NAME end", to be written anew.
+class PagePart {
+ public:
+  /// @param page  empty: none, and nothing is written
+  /// @throws InputError where it cannot be read or has no such marks
+  PagePart(std::string page, const std::string& name);
+  void write(const std::string& text) const;
+
+ private:
+  std::string page_, before_, after_;
+};
+
+/// @throws InputError where the folder for reports cannot be made
+void make_report_folder(const std::string& folder);
 
 }  // namespace airlight::cli

@@ -45,6 +45,8 @@ Contestant contestant_named(const std::string& text) {
   for (std::size_t begin = colon; begin < text.size();) {
     const std::size_t end = std::min(text.find(',', begin + 1), text.size());
     own.set.push_back(text.substr(begin + 1, end - begin - 1));
+    if (own.set.back().find('=') == std::string::npos)
+      throw InputError(fmt::format("--model = {}: expected NAME, or NAME:KEY=VALUE,KEY=VALUE", text));
     begin = end;
   }
   contestant.parameters = own.parameters();
@@ -72,13 +74,13 @@ std::shared_ptr<Engine> watched_engine() {
   return engine;
 }
 
-Ledger make_ledger(const ValidateOptions& options, const Yardstick& yardstick, const Unfinished& unfinished) {
+Ledger make_ledger(const std::vector<Contestant>& judged, bool costs, const Yardstick& yardstick,
+                   const Unfinished& unfinished) {
   std::vector<std::string> atmospheres;
   for (const YardstickRay& ray : yardstick.rays)
     if (std::ranges::find(atmospheres, ray.atmosphere) == atmospheres.end()) atmospheres.push_back(ray.atmosphere);
   std::ranges::sort(atmospheres);
   Ledger ledger{yardstick.wavelengths, yardstick.solved, yardstick.irradiances, {}, {}};
-  const std::vector<Contestant> judged = contestants(options);
   Progress progress("validate");
   double done = 0;
   for (const Contestant& contestant : judged) {
@@ -95,8 +97,8 @@ Ledger make_ledger(const ValidateOptions& options, const Yardstick& yardstick, c
         answers = model_answers_from(*done_before);
       } else {
         answers = ask_model(contestant, atmosphere, yardstick, engine_named("simd"));
-        // One air is enough to say what a model costs; whoever looks for what became worse does not ask.
-        if (atmosphere == air_of_cost && options.against.empty())
+        // One air is enough to say what a model costs.
+        if (atmosphere == air_of_cost && costs)
           answers.cost = cost_of(contestant, answers, yardstick, watched_engine());
         unfinished.keep(part, to_json(answers));
       }
@@ -127,11 +129,14 @@ int validate_ledger(const ValidateOptions& options) {
     throw InputError(fmt::format("--against = {}: was made at other wavelengths; expected one made {} --quick",
                                  options.against, options.quick ? "with" : "without"));
 
-  std::error_code error;
-  fs::create_directories(options.folder, error);  // one that cannot be made, the first file complains of
-  const Unfinished unfinished(options.folder + "/unfinished",
-                              {{"rays", yardstick.rays.size()}, {"wavelengths", yardstick.wavelengths}});
-  const Ledger ledger = make_ledger(options, yardstick, unfinished);
+  const PagePart page(options.page, "ledger");
+  const std::vector<Contestant> judged = contestants(options);
+  make_report_folder(options.folder);
+  const bool costs = options.against.empty();  // whoever looks for what became worse does not ask
+  const Unfinished unfinished(
+      options.folder + "/unfinished",
+      {{"rays", yardstick.rays.size()}, {"wavelengths", yardstick.wavelengths}, {"costs", costs}});
+  const Ledger ledger = make_ledger(judged, costs, yardstick, unfinished);
   const std::string name = options.quick ? "quick" : "ledger", path = options.folder + '/' + name;
   write_text(path + ".json", as_json(ledger).dump(1) + '\n');
   write_text(path + ".csv", as_csv(ledger));
@@ -139,8 +144,8 @@ int validate_ledger(const ValidateOptions& options) {
   if (options.page.empty()) {
     write_text(path + ".md", as_markdown(ledger, name));
   } else {
-    const fs::path folder = fs::relative(options.folder, fs::absolute(options.page).parent_path(), error);
-    write_into_page(options.page, "ledger", as_markdown(ledger, (folder / name).string()));
+    const fs::path folder = fs::relative(options.folder, fs::absolute(options.page).parent_path());
+    page.write(as_markdown(ledger, (folder / name).string()));
   }
   unfinished.remove();
   fmt::print(stderr, "{}: {} rays, {} irradiances, {} figures\n", options.folder, ledger.solved, ledger.irradiances,

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "airlight/error.h"
@@ -195,18 +194,18 @@ void add_air_mass(Report& report) {
 
 int validate_measured(const ValidateOptions& options) {
   const std::vector<std::string> names = judged(options);
+  const PagePart page(options.page, "measured");
+  make_report_folder(options.folder);
   const Unfinished unfinished(options.folder + "/unfinished-measured", options.quick ? "quick" : "measured");
   Report report;
   add_measured_sky(report, options, names, unfinished);
   add_direct_spectrum(report, options);
   add_illuminance(report, options, names, unfinished);
   add_air_mass(report);
-  std::error_code error;
-  std::filesystem::create_directories(options.folder, error);  // one that cannot be made, the first file complains of
   write_text(options.folder + "/measured.json", report.json.dump(1) + '\n');
   write_text(options.folder + "/measured.md", report.text);
   unfinished.remove();
-  if (!options.page.empty()) write_into_page(options.page, "measured", report.text);
+  page.write(report.text);
   return ok;
 }
 

@@ -1,7 +1,6 @@
 // The part of `airlight validate` that says what few wavelengths cost in colour, and fits the four of real time.
 #include <fmt/core.h>
 
-#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "airlight/error.h"
@@ -56,6 +55,8 @@ int validate_spectrum(const ValidateOptions& options) {
   const std::string model = options.models.empty() ? "skyview" : options.models[0];
   check_model_name(model, "--model", model_names());
   if (model_info(model).colours) throw InputError(fmt::format("--spectrum: model {} knows no spectrum", model));
+  const PagePart page(options.page, "spectrum");
+  make_report_folder(options.folder);
 
   Json json{{"model", model}};
   std::string text = fmt::format(
@@ -89,11 +90,9 @@ int validate_spectrum(const ValidateOptions& options) {
       text += fmt::format("| {:g} | {:.6g} | {:.6g} | {:.6g} |\n", quad->wavelengths[i], quad->matrix[i][0],
                           quad->matrix[i][1], quad->matrix[i][2]);
 
-  std::error_code error;
-  std::filesystem::create_directories(options.folder, error);  // one that cannot be made, the first file complains of
   write_text(options.folder + "/spectrum.json", json.dump(1) + '\n');
   write_text(options.folder + "/spectrum.md", text);
-  if (!options.page.empty()) write_into_page(options.page, "spectrum", text);
+  page.write(text);
   return ok;
 }
 
