@@ -37,16 +37,21 @@ struct Ribs {
   /// @param down_x, down_y  unit, downhill
   AIRLIGHT_INLINE Ribs(const float* x, const float* y, const float* down_x, const float* down_y, float frequency,
                        std::uint32_t seed) {
-    constexpr float reach2 = 1.25f * 1.25f;  // squared; points that are not next to this cell are farther
-    float weights[lanes];
-    for (int l = 0; l < lanes; ++l) height[l] = across_slope[l] = 0, weights[l] = 1e-6f;
+    constexpr float reach2 = 1.25f * 1.25f;          // squared; points that are not next to this cell are farther
+    float weights[lanes], in_x[lanes], in_y[lanes];  // place within its cell
+    std::uint32_t cell[lanes];
+    for (int l = 0; l < lanes; ++l) {
+      const float u = x[l] * frequency, v = y[l] * frequency, fu = std::floor(u), fv = std::floor(v);
+      in_x[l] = u - fu, in_y[l] = v - fv;
+      cell[l] = seed + lattice_number(std::int32_t(fu), std::int32_t(fv));
+      height[l] = across_slope[l] = 0, weights[l] = 1e-6f;
+    }
     for (int k = 0; k < 9; ++k) {
       const int i = k % 3 - 1, j = k / 3 - 1;
       for (int l = 0; l < lanes; ++l) {
-        const float u = x[l] * frequency, v = y[l] * frequency, fu = std::floor(u), fv = std::floor(v);
-        const std::uint32_t bits = scramble(std::int32_t(fu) + i, std::int32_t(fv) + j, seed);
-        const float px = u - fu - (float(i) + 0.25f + 0.5f * low_half(bits));
-        const float py = v - fv - (float(j) + 0.25f + 0.5f * high_half(bits));
+        const std::uint32_t bits = scramble(cell[l] + lattice_number(i, j));
+        const float px = in_x[l] - (float(i) + 0.25f + 0.5f * low_half(bits));
+        const float py = in_y[l] - (float(j) + 0.25f + 0.5f * high_half(bits));
         const float w = std::max(0.0f, 1 - (px * px + py * py) / reach2), weight = w * w * w;
         const float phase = py * down_x[l] - px * down_y[l];
         const float turn = phase - std::floor(phase + 0.5f);  // -0.5 .. 0.5, 0 on a crest
