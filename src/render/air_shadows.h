@@ -8,7 +8,7 @@
 
 namespace airlight {
 
-/// The scene's shadow map as the air's kernels read it, in the eye's frame.
+/// What is looked at of the scene's shadow map, as the air's kernels read it, in the eye's frame.
 /// @param steps  points on a view ray where shadows are looked for
 AirShadows air_shadows(const ShadowMap& map, const PlacedCamera& camera, int steps);
 

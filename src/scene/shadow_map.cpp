@@ -126,9 +126,8 @@ ShadowMap shadow_map(const Land& land, const Direction& sun, double angular_radi
   map.first_along = grid.east * map.along[0] + grid.north * map.along[1] - inner;
   map.first_across = grid.east * map.across[0] + grid.north * map.across[1] - inner;
   const auto count = std::size_t(grid.cells);
-  constexpr float underground = -1e6f;
-  map.dark.assign(count * count, underground);
-  map.lit.assign(count * count, underground);
+  map.dark.assign(count * count, ShadowMap::not_looked_at);
+  map.lit.assign(count * count, ShadowMap::not_looked_at);
   const Wedge looked_at(grid, map);
 
   const double elevation = std::atan2(sun[2], flat), centre = land.frame().radius();

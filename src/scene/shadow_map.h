@@ -27,7 +27,8 @@ struct ShadowMap {
   double spacing = 1;                        ///< [m]
   int cells = 0;                             ///< a side
   /// Altitude [m] below which no part of the sun is seen; and above which all is. Row after row of `across`, `along`
-  /// fastest.
+  /// fastest. `not_looked_at` where the grid's cone does not reach.
+  static constexpr float not_looked_at = -1e6f;
   std::vector<float> dark, lit;
 
   /// Texel coordinates (0 = first cell's centre) of a point of the scene.

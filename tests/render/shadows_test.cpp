@@ -8,6 +8,7 @@
 #include <random>
 
 #include "reference/single_scattering.h"
+#include "render/air_shadows.h"
 #include "scenes.h"
 
 namespace airlight::test {
@@ -125,6 +126,43 @@ TEST(shadows_in_the_air, of_a_plain_take_nothing) {
   SceneRenderer(sky, land, {}, view, open).render(into(b));
   ASSERT_EQ(a.size(), b.size());
   for (std::size_t i = 0; i < a.size(); ++i) ASSERT_NEAR(a[i], b[i], 1e-5 * std::abs(b[i])) << i;
+}
+
+TEST(AirShadows, a_part_of_the_map_says_what_the_map_says) {
+  LandSettings settings;
+  settings.relief = ReliefSettings{};
+  settings.extent = 20'000;
+  const Land land(settings);
+  PlacedCamera camera;
+  camera.eye = land.frame().position({3000, -2000, 1500});
+  camera.axes = land.frame().axes(camera.eye);
+  const ShadowGrid grid{.east = camera.eye[0],
+                        .north = camera.eye[1],
+                        .half_width = 10'000,
+                        .cells = 64,
+                        .axis = {0.6, 0.8, 0},
+                        .half_angle = 0.4};
+  const ShadowMap map = shadow_map(land, {0.8, -0.6, 0.05}, 0.005, grid);
+  const AirShadows shadows = air_shadows(map, camera, 32);
+  EXPECT_LT(shadows.width * shadows.height, map.cells * map.cells / 2);
+  for (const double distance : {100.0, 2000.0, 9000.0}) {
+    for (const double turn : {-0.35, 0.0, 0.35}) {
+      const double azimuth = std::atan2(0.6, 0.8) + turn;
+      const Direction view{std::sin(azimuth), std::cos(azimuth), 0};
+      const Direction scene = camera.to_scene(view);
+      const auto texel = map.texel({camera.eye[0] + distance * scene[0], camera.eye[1] + distance * scene[1],
+                                    camera.eye[2] + distance * scene[2]});
+      const auto whole = std::size_t(std::lround(texel[1])) * 64 + std::size_t(std::lround(texel[0]));
+      double x = shadows.across[3], y = shadows.along[3];
+      for (std::size_t i = 0; i < 3; ++i)
+        x += distance * view[i] * shadows.across[i], y += distance * view[i] * shadows.along[i];
+      x = x * shadows.width - 0.5, y = y * shadows.height - 0.5;
+      const auto part = std::size_t(std::lround(y)) * std::size_t(shadows.width) + std::size_t(std::lround(x));
+      EXPECT_NEAR(std::remainder(x - texel[0], 1), 0, 1e-9) << distance << ' ' << turn;
+      EXPECT_EQ((*shadows.edges)[2 * part], map.dark[whole]) << distance << ' ' << turn;
+      EXPECT_EQ((*shadows.edges)[2 * part + 1], map.lit[whole]) << distance << ' ' << turn;
+    }
+  }
 }
 
 }  // namespace
