@@ -151,12 +151,15 @@ void SurfaceColour::albedo(std::span<const TerrainHit* const> hits, double pixel
     std::array<double, 3> rgb{};
     const double painted = m.overlay ? m.overlay->at(hit.ground, double(footprint[i]), rgb) : 0;
     const double patch = s.variety * double(patch_of[i]);
-    const double slope = double(hit.slope), altitude = hit.ground.altitude;
-    const double grass = smooth_step((s.grass_line - altitude + 400 * patch) / 300) *
-                         smooth_step((s.steepest_grass - slope + 0.2 * patch) / 0.2);
-    const double snow = smooth_step((altitude - s.snow_line + 400 * patch) / 250) *
-                        smooth_step((s.steepest_snow - slope + 0.2 * patch) / 0.2);
-    const double water = altitude <= s.water_level + 0.5 && slope < 0.02 ? 1 : 0;
+    const double altitude = hit.ground.altitude;
+    double grass = smooth_step((s.grass_line - altitude + 400 * patch) / 300),
+           snow = smooth_step((altitude - s.snow_line + 400 * patch) / 250), water = 0;
+    if (grass > 0 || snow > 0 || altitude <= s.water_level + 0.5) {
+      const double slope = double(std::acos(std::clamp(hit.level, -1.0f, 1.0f)));
+      grass *= smooth_step((s.steepest_grass - slope + 0.2 * patch) / 0.2);
+      snow *= smooth_step((s.steepest_snow - slope + 0.2 * patch) / 0.2);
+      water = altitude <= s.water_level + 0.5 && slope < 0.02 ? 1 : 0;
+    }
     const double shade = 1 + 0.35 * patch;
     for (std::size_t k = 0; k < wavelengths; ++k) {
       double value = m.rock[k] * shade;

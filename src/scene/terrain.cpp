@@ -26,7 +26,7 @@ Position along(const Position& p, const Direction& d, double t) {
 /// Embree's objects, and the bytes that they take.
 class RayTree {
  public:
-  RayTree(TileMesh& mesh, std::size_t tiles, bool draft) {
+  RayTree(const TileMesh& mesh, std::size_t tiles, bool draft) {
     device_ = rtcNewDevice(nullptr);
     if (!device_) throw WorkError("Embree does not start: error " + std::to_string(int(rtcGetDeviceError(nullptr))));
     rtcSetDeviceMemoryMonitorFunction(
@@ -105,22 +105,30 @@ struct Terrain::Impl {
   /// never meets it.
   double enters(const SceneRay& ray, double sphere) const {
     const LocalFrame& frame = land->frame();
-    const double radius = frame.radius() + sphere, above = frame.altitude(ray.origin) - sphere;
     const Position from_centre{ray.origin[0], ray.origin[1], ray.origin[2] + frame.radius()};
     const double b = dot(from_centre, ray.direction);
+    if (b >= 0) return -1;
+    const double radius = frame.radius() + sphere, above = frame.altitude(ray.origin) - sphere;
     const double c = above * (above + 2 * radius);  // |from_centre|^2 - radius^2 without its cancellation
     const double discriminant = b * b - c;
-    if (c <= 0 || b >= 0 || discriminant < 0) return -1;
+    if (c <= 0 || discriminant < 0) return -1;
     return c / (-b + std::sqrt(discriminant));
   }
 
   /// Where rays start in Embree's floats: those from space begin where they come down to the highest summit.
   double start(const SceneRay& ray) const { return std::max(0.0, enters(ray, highest + 1)); }
 
+  /// Whether nothing but triangles lies around a point: half the square's side may be a third of it more along the sphere.
+  bool amid_triangles(const Position& p) const {
+    return std::max(std::abs(p[0]), std::abs(p[1])) < 0.5 * tree.half_side();
+  }
+
   void finish(const SceneRay& ray, double distance, const float* normal, unsigned grid, TerrainHit& hit) const {
     const LocalFrame& frame = land->frame();
-    const double sphere = enters(ray, plain);
     hit = {};
+    hit.position = along(ray.origin, ray.direction, std::isinf(distance) ? 0 : distance);
+    const bool amid = !std::isinf(distance) && amid_triangles(ray.origin) && amid_triangles(hit.position);
+    const double sphere = amid ? -1 : enters(ray, plain);
     if (sphere >= 0 && sphere < distance) {
       // The plain is there only where triangles are not.
       const GroundPoint g = frame.ground(along(ray.origin, ray.direction, sphere));
@@ -136,7 +144,6 @@ struct Terrain::Impl {
     if (std::isinf(distance)) return;
     hit.mesh = true;
     hit.distance = distance;
-    hit.position = along(ray.origin, ray.direction, distance);
     hit.ground = frame.ground(hit.position);
     const Direction up = frame.up(hit.position);
     const double length = std::sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]);
@@ -146,8 +153,7 @@ struct Terrain::Impl {
     const double cell = tree.cell(tile.level);
     hit.shading_normal = mesh.normal(grid, (hit.ground.east - tree.metres(tile.x)) / cell,
                                      (hit.ground.north - tree.metres(tile.y)) / cell);
-    const double level = hit.shading_normal[0] * up[0] + hit.shading_normal[1] * up[1] + hit.shading_normal[2] * up[2];
-    hit.slope = std::acos(std::clamp(float(level), -1.0f, 1.0f));
+    hit.level = float(hit.shading_normal[0] * up[0] + hit.shading_normal[1] * up[1] + hit.shading_normal[2] * up[2]);
   }
 
   void hits(std::span<const SceneRay> asked, std::span<TerrainHit> answers) const {

@@ -33,7 +33,7 @@ struct TerrainHit {
   GroundPoint ground;                     ///< the same place along the sphere, with its altitude
   std::array<float, 3> normal{};          ///< of the triangle; unit, outward
   std::array<float, 3> shading_normal{};  ///< smooth over triangles; unit
-  float slope = 0;                        ///< angle between shading normal and local vertical [rad]
+  float level = 1;                        ///< cosine of the angle between shading normal and local vertical
   bool mesh = false;                      ///< false: the plain beyond all triangles
   std::uint32_t tile = 0;                 ///< where the mesh is met: its tile, and coordinates 0 .. 1 in that
   float u = 0, v = 0;

@@ -160,8 +160,11 @@ class Builder {
 TileMesh::TileMesh(const Land& land, const TileTree& tree, const Position& centre) {
   const auto& leaves = tree.leaves();
   constexpr std::size_t grid = grid_side * grid_side, plane = normal_side * normal_side;
-  vertices_.resize(leaves.size() * grid + 1);  // Embree reads 16 bytes of the last vertex
-  normals_.resize(leaves.size() * plane);
+  vertex_count_ = leaves.size() * grid;
+  normal_count_ = leaves.size() * plane;
+  vertices_ = std::make_unique_for_overwrite<std::array<float, 3>[]>(vertex_count_ + 1);
+  normals_ = std::make_unique_for_overwrite<std::array<float, 3>[]>(normal_count_);
+  vertices_[vertex_count_] = {};
   const Builder builder(land, tree, centre);
   tbb::parallel_for(std::size_t(0), leaves.size(),
                     [&](std::size_t i) { builder.build(leaves[i], &vertices_[i * grid], &normals_[i * plane]); });

@@ -1,7 +1,8 @@
 // Vertices and normals of all tiles, without cracks between tiles of different finesse.
 #pragma once
 #include <array>
-#include <vector>
+#include <memory>
+#include <span>
 
 #include "scene/tile_tree.h"
 
@@ -16,18 +17,18 @@ class TileMesh {
   /// @param centre  that vertices are relative to: floats are fine near it
   TileMesh(const Land& land, const TileTree& tree, const Position& centre);
 
-  const std::vector<std::array<float, 3>>& vertices() const {
-    return vertices_;
-  }  ///< grids one after the other, x fastest
+  /// Grids one after the other, x fastest; and one more, as Embree reads 16 bytes of the last.
+  std::span<const std::array<float, 3>> vertices() const { return {vertices_.get(), vertex_count_ + 1}; }
 
   /// Smooth normal in a tile, at coordinates in cells.
   std::array<float, 3> normal(std::size_t tile, double x, double y) const;
 
-  std::size_t bytes() const { return vertices_.size() * sizeof vertices_[0] + normals_.size() * sizeof normals_[0]; }
+  std::size_t bytes() const { return (vertex_count_ + normal_count_) * sizeof vertices_[0]; }
 
  private:
-  std::vector<std::array<float, 3>> vertices_;
-  std::vector<std::array<float, 3>> normals_;
+  // Not vectors: they would touch it all before it is built.
+  std::size_t vertex_count_, normal_count_;
+  std::unique_ptr<std::array<float, 3>[]> vertices_, normals_;
 };
 
 }  // namespace airlight

@@ -15,7 +15,7 @@ constexpr double wavelengths[] = {445, 515, 565, 635};
 TerrainHit at(double east, double north, double altitude, double slope) {
   TerrainHit hit;
   hit.ground = {east, north, altitude};
-  hit.slope = float(slope);
+  hit.level = float(std::cos(slope));
   hit.distance = 1;
   return hit;
 }

@@ -107,7 +107,7 @@ TEST(Terrain, hits_lie_on_the_land_and_normals_are_its_slope) {
       EXPECT_NEAR(normal[1], 0.1 / length, 2e-3);
       EXPECT_NEAR(normal[2], 1 / length, 2e-3);
     }
-    EXPECT_NEAR(hit.slope, std::acos(1 / length), 2e-3);
+    EXPECT_NEAR(std::acos(hit.level), std::acos(1 / length), 2e-3);
   }
 }
 
