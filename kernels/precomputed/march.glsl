@@ -123,14 +123,23 @@ FN void precomputed_phases(IN(Air) air, Table2 phases, Float away, OUT(Vec4) pha
   if (air.classes > 3.5) phase3 = lookup_row(phases, x, 3);
 }
 
-/// What the air at a path along a ray sends back along it, as precomputed_source_at.
-FN Vec4 precomputed_sent(IN(Air) air, IN(Lattice) lattice, Table3 source, Vec4 at, Float path) {
+/// A ray further along: `at` as of meet_air, at a path on.
+/// @param at [1] in -1..1
+/// @param path [m] in 0..1e5
+/// @bound 2e-5 scale 1e5   as altitude_along
+FN Vec4 precomputed_along(IN(Air) air, Vec4 at, Float path) {
   Float altitude = altitude_along(air.ground_radius, at.x, at.y, path);
   Float radius = air.ground_radius + at.x;
   Float from_centre = 1.0 / (air.ground_radius + altitude);
   Float mu = clamp((radius * at.y + path) * from_centre, -1.0, 1.0);
   Float mu_s = clamp((radius * at.z + path * at.w) * from_centre, -1.0, 1.0);
-  return precomputed_source_at(air, lattice, source, altitude, mu, mu_s, at.w);
+  return Vec4(altitude, mu, mu_s, at.w);
+}
+
+/// What the air at a path along a ray sends back along it, as precomputed_source_at.
+FN Vec4 precomputed_sent(IN(Air) air, IN(Lattice) lattice, Table3 source, Vec4 at, Float path) {
+  Vec4 there = precomputed_along(air, at, path);
+  return precomputed_source_at(air, lattice, source, there.x, there.y, there.z, there.w);
 }
 
 /// How -ln of what the air sends changes with the Sun's zenith cosine, roughly [1]: slowly by day, a decade in two degrees after it has set.

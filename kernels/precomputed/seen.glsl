@@ -24,8 +24,9 @@ struct Sight {
 /// Row of a direction within the band of an altitude [1]. Rows crowd at the horizon and at the zenith.
 /// @param altitude [m] in 0..1e5
 /// @param mu [1] in -1..1
+/// @param hits [1] in 0..1  the ground
 /// @bound 1 scale 1e30   at the horizon engines may choose either set: compared as part of the passes
-FN Float precomputed_seen_row(IN(Air) air, IN(Sight) sight, Float altitude, Float mu) {
+FN Float precomputed_seen_row(IN(Air) air, IN(Sight) sight, Float altitude, Float mu, Bool hits) {
   Float radius = air.ground_radius + altitude;
   Float gap_below = max(radius_gap(air.ground_radius, altitude, Float(0.0)), 0.0);
   Float ahead = max(air.top_altitude - altitude, 0.0);
@@ -42,7 +43,6 @@ FN Float precomputed_seen_row(IN(Air) air, IN(Sight) sight, Float altitude, Floa
   Float steep = select(altitude < 0.01, -mu, altitude / max(distance_to_ground(air.ground_radius, altitude, mu), 0.01));
   Float grazing = sqrt(altitude / (2.0 * air.ground_radius + altitude));
   Float down = (steep - grazing) / max(1.0 - grazing, 1.0e-3);
-  Bool hits = mu < mu_horizon(air.ground_radius, altitude);
   Float part = sqrt(clamp(select(hits, down, select(mu < 0.0, limb, up)), 0.0, 1.0));
   Float last = select(hits, Float(sight.grounds - 1.0), select(mu < 0.0, Float(sight.limbs - 1.0), Float(sight.ups - 1.0)));
   return part * last + select(hits, Float(sight.ups + sight.limbs), select(mu < 0.0, Float(sight.ups), Float(0.0)));
@@ -153,13 +153,14 @@ FN Vec4 precomputed_seen_peak_pass(IN(Air) air, IN(Lattice) lattice, IN(Sight) s
 
 /// A whole ray's place in these tables, between two bands; how far it is from the lower to the upper [1]. `at` as of meet_air.
 /// @param at [1] in -1..1
+/// @param hits [1] in 0..1  the ground
 /// @param lower [1]
 /// @param upper [1]
 /// @bound 1 scale 1e30   as precomputed_seen_row
-FN Float precomputed_seen_place(IN(Air) air, IN(Sight) sight, Vec4 at, OUT(Vec3) lower, OUT(Vec3) upper) {
+FN Float precomputed_seen_place(IN(Air) air, IN(Sight) sight, Vec4 at, Bool hits, OUT(Vec3) lower, OUT(Vec3) upper) {
   Scalar rows = sight.ups + sight.limbs + sight.grounds;
   Scalar v = 1.0 / (rows * sight.altitudes);
-  Float row = precomputed_seen_row(air, sight, at.x, at.y) + 0.5;
+  Float row = precomputed_seen_row(air, sight, at.x, at.y, hits) + 0.5;
   Float height = precomputed_layer(air, at.x) * (sight.altitudes - 1.0);
   Float band = min(floor(height), sight.altitudes - 2.0);
   Float across = sqrt(max((1.0 - at.y) * (1.0 + at.y), 0.0)) * sqrt(max((1.0 - at.z) * (1.0 + at.z), 0.0));
@@ -175,11 +176,33 @@ FN Vec4 precomputed_seen_light(Table3 seen, Vec3 lower, Vec3 upper, Float higher
   return max(exp(-mix(lookup(seen, lower), lookup(seen, upper), higher)) - Vec4(2.0e-30), 0.0);
 }
 
+/// What these tables tell of a whole ray, per solar irradiance [1/sr]: all that is not marched. `at` as of meet_air; `phase` of the class with
+/// the sharpest peak.
+FN Vec4 precomputed_seen(IN(Air) air, IN(Sight) sight, Table3 seen, Table3 seen_peak, Vec4 phase, Vec4 at, Bool hits, Float path) {
+  Vec3 lower = Vec3(Float(0.0), Float(0.0), Float(0.0));
+  Vec3 upper = lower;
+  Float higher = precomputed_seen_place(air, sight, at, hits, lower, upper);
+  Vec4 light = precomputed_seen_light(seen, lower, upper, higher);
+  if (sight.marched < 0.5) light = light + precomputed_seen_light(seen_peak, lower, upper, higher) * phase;
+  return light * path;
+}
+
 /// -ln of the transmittance of a ray to the ground, from the table of depths to space [1]. `at` as of meet_air.
 FN Vec4 precomputed_depth_to_ground(IN(Air) air, Table2 optical_depth, Vec4 at, Float reach) {
   Float up = clamp(-((air.ground_radius + at.x) * at.y + reach) * (1.0 / air.ground_radius), 0.0, 1.0);
   Vec4 whole = lookup(optical_depth, depth_uv(air, Float(0.0), up, width_of(optical_depth), height_of(optical_depth)));
   return max(whole - lookup(optical_depth, depth_uv(air, at.x, -at.y, width_of(optical_depth), height_of(optical_depth))), 0.0);
+}
+
+/// Light of a ray's segment, so that it and the rest of the ray are the whole: what marching the segment and looking up the rest differ by from
+/// looking up the whole is taken from the segment, all of it where the segment is all that is seen, twice its own share where it is little.
+/// @param marched [1/sr] in 0..1
+/// @param rest [1/sr] in 0..1  attenuated
+/// @param whole [1/sr] in 0..2
+FN Vec4 precomputed_segment(Vec4 marched, Vec4 rest, Vec4 whole) {
+  Vec4 sum = max(marched + rest, 1.0e-30);
+  // Both know the light to a few percent; where they differ by more there is next to none.
+  return marched * (1.0 + (2.0 - marched / sum) * (clamp(whole / sum, 0.75, 1.25) - 1.0));
 }
 
 /// What a view ray brings, all orders of scattering, per solar irradiance [1/sr]: the air's part; light reflected by the ground where the
@@ -191,17 +214,13 @@ FN_SHARED Vec4 precomputed_ray_light(IN(Air) air, IN(Lattice) lattice, IN(Sight)
   Bool hits = reach > 1.0;
   Vec4 at = meet_air(air, altitude, view, sun, distance, reach, whole, hits);
   Float away = one_minus_cos(view, sun);
-  Vec3 lower = Vec3(Float(0.0), Float(0.0), Float(0.0));
-  Vec3 upper = lower;
-  Float higher = precomputed_seen_place(air, sight, at, lower, upper);
-  Vec4 again = precomputed_seen_light(seen, lower, upper, higher) * whole;
+  Bool down = at.y < mu_horizon(air.ground_radius, at.x);
+  Vec4 peak = Vec4(0.0);
+  if (sight.marched < 0.5) peak = lookup_row(phases, sqrt(max(0.5 * away, 0.0)), precomputed_sharpest(air, phases));
+  Vec4 again = precomputed_seen(air, sight, seen, seen_peak, peak, at, down, whole);
   Vec4 light = Vec4(0.0);
   Vec4 depth = Vec4(0.0);
-  if (sight.marched < 0.5) {
-    Vec4 phase = lookup_row(phases, sqrt(max(0.5 * away, 0.0)), precomputed_sharpest(air, phases));
-    light = precomputed_seen_light(seen_peak, lower, upper, higher) * phase * whole;
-    depth = precomputed_depth_to_ground(air, optical_depth, at, reach);
-  }
+  if (sight.marched < 0.5) depth = precomputed_depth_to_ground(air, optical_depth, at, reach);
   Bool ends = reach < whole;
   if (sight.marched > 0.5 || any(ends)) {
     // The source is looked up at the ends of panels alone: it wants more of them than sunlight does.
@@ -219,10 +238,17 @@ FN_SHARED Vec4 precomputed_ray_light(IN(Air) air, IN(Lattice) lattice, IN(Sight)
     Vec4 again_marched = Vec4(0.0);
     Vec4 depth_marched = Vec4(0.0);
     Vec4 light_marched = precomputed_march(air, lattice, orders, precomputed_panels(select(ends, Float(2.0 * panels), Float(panels)), ends), most, layers, sunlit, source, phase0, phase1, phase2, phase3, at, reach, again_marched, depth_marched);
-    again = select(ends, again_marched, again);
-    Bool take = ends || (Float(sight.marched) > 0.5);
-    light = select(take, light_marched, light);
-    depth = select(take, depth_marched, depth);
+    if (any(ends)) {
+      Vec4 marched = again_marched;
+      if (sight.marched < 0.5) marched = marched + light_marched;
+      Vec4 rest = precomputed_seen(air, sight, seen, seen_peak, peak, precomputed_along(air, at, reach), down, max(whole - reach, 0.0)) * exp(-depth_marched);
+      again = select(ends, precomputed_segment(marched, rest, again), again);
+      depth = select(ends, depth_marched, depth);
+    }
+    if (sight.marched > 0.5) {
+      light = light_marched;
+      depth = depth_marched;
+    }
   }
   ground = Vec4(0.0);
   if (any(hits)) {
