@@ -120,7 +120,7 @@ FN void planet_shadow(Scalar ground_radius, Float altitude, Float mu, Float mu_s
   // Only behind the terminator plane, where r mu_s + p nu < 0, is the cylinder a shadow.
   Float plane = -r * mu_s / select(abs(nu) < 1.0e-6, select(nu < 0.0, Float(-1.0e-6), Float(1.0e-6)), nu);
   begin = select(nu < 0.0, max(first, plane), first);
-  end = select(nu > 0.0, min(second, plane), second);
+  end = select(nu < 0.0, second, min(second, plane));
   begin = select(root > 0.0, begin, Float(1.0e30));
   end = select(root > 0.0, end, Float(-1.0e30));
   // A Sun straight along the ray: all of the ray is on one side of the cylinder and the plane.
