@@ -81,7 +81,9 @@ class Precomputed(Tables):
 
     def sun_place(self, mu_s):
         """Place among the suns of the tables, 0 to 1: crowded about the horizon, from 25 degrees below it."""
-        return 0.45 * (1 - min(-mu_s, 0.42) / 0.42) if mu_s < 0 else 0.45 + 0.825 * mu_s / (mu_s + 0.5)
+        last = 0.42 * min(1, math.sqrt(6.4e6 / self.radius))
+        down = min(-mu_s, last)
+        return 0.55 * (1 - 17 * down / (7 * down + 10 * last)) if mu_s < 0 else 0.55 + 0.585 * mu_s / (mu_s + 0.3)
 
     def to_shell(self, h, mu, shell):
         b = (self.radius + h) * mu

@@ -21,18 +21,21 @@ struct Lattice {
 /// How far below the horizon the Sun is followed, as a sine [1]: 25 degrees. On planets greater than Earth air of the same height sees the
 /// Sun for less, as a root of their radius, and dusk is shorter.
 FN Scalar precomputed_nightfall(IN(Air) air) { return 0.42 * min(1.0, sqrt(6.4e6 / air.ground_radius)); }
-/// Place of a zenith cosine of the Sun among the lattice's [1]: half a degree apart above the horizon, six times that at the zenith.
+/// Place of a zenith cosine of the Sun among the lattice's [1]. Suns crowd at the horizon, where -ln of light turns from a steep slope to a
+/// gentle one: between two of them it goes straight.
 /// @param mu_s [1] in -1..1
 FN Float precomputed_sun_place(IN(Air) air, Float mu_s) {
   Scalar last = precomputed_nightfall(air);
-  Float up = max(mu_s, 0.0);
-  return select(mu_s < 0.0, 0.45 * (1.0 - min(-mu_s, last) * (1.0 / last)), 0.45 + 0.825 * up / (up + 0.5));
+  Bool set = mu_s < 0.0;
+  Float away = min(abs(mu_s), select(set, Float(last), Float(1.0)));
+  return 0.55 + select(set, Float(-1.33571428571429), Float(0.585)) * away / (away + select(set, Float(1.42857142857143 * last), Float(0.3)));
 }
 /// Zenith cosine of the Sun at a place among the lattice's [1].
 /// @param u [1] in 0..1
 FN Float precomputed_sun(IN(Air) air, Float u) {
-  Float up = clamp((u - 0.45) * (1.0 / 0.55), 0.0, 1.0);
-  return select(u < 0.45, precomputed_nightfall(air) * (u * (1.0 / 0.45) - 1.0), 0.5 * up / (1.5 - up));
+  Float up = clamp(u - 0.55, 0.0, 0.45);
+  Float down = clamp(0.55 - u, 0.0, 0.55);
+  return 0.3 * up / (0.585 - up) - 1.42857142857143 * precomputed_nightfall(air) * down / (1.33571428571429 - down);
 }
 
 /// One of the lattice's altitudes [m].

@@ -91,8 +91,8 @@ FN Float precomputed_sinh(Float x) {
 }
 
 /// How the panels of a piece of a ray lie: x: path [m] at which the air is densest, around which they crowd; y: how fast light and air
-/// change there [m]; z: the first panel's begin as inverse_sinh((path - x) / y), w: the panels' stride in it. `at` as of meet_air.
-FN Vec4 precomputed_piece(IN(Air) air, Table2 layers, Vec4 at, Float begin, Float end, Float panels) {
+/// change there [m]; z: the first panel's begin as inverse_sinh((path - x) / y), w: what all panels stride in it. `at` as of meet_air.
+FN Vec4 precomputed_piece(IN(Air) air, Table2 layers, Vec4 at, Float begin, Float end) {
   Float along = (air.ground_radius + at.x) * at.y;
   Float centre = clamp(-along, begin, end);
   Float altitude = max(altitude_along(air.ground_radius, at.x, at.y, centre), 0.0);
@@ -108,7 +108,7 @@ FN Vec4 precomputed_piece(IN(Air) air, Table2 layers, Vec4 at, Float begin, Floa
   Float scale = 1.0 / rate;
   Float first = precomputed_inverse_sinh((begin - centre) * rate);
   Float last = precomputed_inverse_sinh((end - centre) * rate);
-  return Vec4(centre, scale, first, (last - first) / max(panels, 1.0));
+  return Vec4(centre, scale, first, last - first);
 }
 
 /// The phase functions of an angle from the Sun [1/sr]; 0 of classes that the air has not got.
@@ -153,19 +153,26 @@ FN Vec4 precomputed_ground(IN(Air) air, Table2 ground_light, Vec4 at, Float reac
 }
 
 /// Panels of a ray, and those of them for a piece in the planet's shadow, where light of the first order is missing [1]: a third, or, where
-/// nothing but depth is asked of it, less.
+/// nothing but depth is asked of it, none.
 /// @param panels [1] in 3..64
 /// @param all [1] in 0..1  orders are asked for, not the first alone
 /// @bound 1 scale 1   whole numbers
-FN Vec2 precomputed_panels(Float panels, Bool all) {
-  return Vec2(panels, select(all, floor(panels * 0.333334), floor(panels * 0.166667) + 1.0));
+FN Vec2 precomputed_panels(Float panels, Bool all) { return Vec2(panels, select(all, floor(panels * 0.333334), Float(0.0))); }
+
+/// Optical depth between two places of a ray [1], from that to space: looking from the lower one where the ray goes down. `from`, `to`: as `at`
+/// of meet_air.
+FN Vec4 precomputed_depth_between(IN(Air) air, Table2 optical_depth, Vec4 from, Vec4 to) {
+  Bool down = to.y < 0.0;
+  Vec2 near = depth_uv(air, select(down, to.x, from.x), select(down, -to.y, from.y), width_of(optical_depth), height_of(optical_depth));
+  Vec2 far = depth_uv(air, select(down, from.x, to.x), select(down, -from.y, to.y), width_of(optical_depth), height_of(optical_depth));
+  return max(lookup(optical_depth, near) - lookup(optical_depth, far), 0.0);
 }
 
 /// Light that the air sends along a ray, per solar irradiance [1/sr]: the first order's; `again`: the others'; the optical depth of the path.
 /// `at` is where the ray meets the air, as meet_air says; `orders` 1: the first alone, 2: the others alone (`first` is 0 then), 3: both;
-/// `panels`: of the ray, and those of them that a piece in the planet's shadow gets; `most`: the largest number of any ray;
-/// phase0 to 3: the phase functions towards the Sun.
-FN_SHARED Vec4 precomputed_march(IN(Air) air, IN(Lattice) lattice, int orders, Vec2 panels, int most, Table2 layers, Table2 sunlit, Table3 source,
+/// `panels`: of the ray, and those of them that a piece in the planet's shadow gets: with none, its depth comes from `optical_depth`, which is
+/// not read otherwise; `most`: the largest number of any ray; phase0 to 3: the phase functions towards the Sun.
+FN_SHARED Vec4 precomputed_march(IN(Air) air, IN(Lattice) lattice, int orders, Vec2 panels, int most, Table2 layers, Table2 optical_depth, Table2 sunlit, Table3 source,
                                  Vec4 phase0, Vec4 phase1, Vec4 phase2, Vec4 phase3, Vec4 at, Float reach, OUT(Vec4) again, OUT(Vec4) depth) {
   Float radius = air.ground_radius + at.x;
   // A lit piece, one in the planet's shadow, and another lit one; those that a ray has not got are empty.
@@ -181,16 +188,24 @@ FN_SHARED Vec4 precomputed_march(IN(Air) air, IN(Lattice) lattice, int orders, V
   light_again = select(shaded, light_again, reach);
   Bool begins_lit = dark > 0.0;
   Bool ends_lit = light_again < reach;
-  Float lit = select(shaded, panels.x - panels.y, panels.x);
-  Float lit_first = select(begins_lit, select(ends_lit, floor(0.5 * lit), lit), Float(0.0));
-  Float lit_last = panels.x - select(ends_lit, lit - lit_first, Float(0.0));
-  Vec4 piece0 = precomputed_piece(air, layers, at, Float(0.0), dark, lit_first);
+  Vec4 piece0 = precomputed_piece(air, layers, at, Float(0.0), dark);
   Vec4 piece1 = piece0;
   Vec4 piece2 = piece0;
   if (any(shaded)) {
-    piece1 = precomputed_piece(air, layers, at, dark, light_again, lit_last - lit_first);
-    piece2 = precomputed_piece(air, layers, at, light_again, reach, panels.x - lit_last);
+    piece1 = precomputed_piece(air, layers, at, dark, light_again);
+    piece2 = precomputed_piece(air, layers, at, light_again, reach);
   }
+  // Two lit pieces share panels as their strides are: where the shadow is but touched, one may be next to nothing.
+  Float lit = select(shaded, panels.x - panels.y, panels.x);
+  Float share = clamp(floor(lit * (0.25 + 0.5 * piece0.w / max(piece0.w + piece2.w, 1.0e-6)) + 0.5), 1.0, lit - 1.0);
+  Float lit_first = select(begins_lit, select(ends_lit, share, lit), Float(0.0));
+  Float lit_last = panels.x - select(ends_lit, lit - lit_first, Float(0.0));
+  piece0.w = piece0.w / max(lit_first, 1.0);
+  piece1.w = piece1.w / max(lit_last - lit_first, 1.0);
+  piece2.w = piece2.w / max(panels.x - lit_last, 1.0);
+  Bool skips = shaded && (panels.y < 0.5) && (begins_lit || ends_lit);
+  Vec4 skipped = Vec4(0.0);
+  if (any(skips)) skipped = select(skips, precomputed_depth_between(air, optical_depth, precomputed_along(air, at, dark), precomputed_along(air, at, light_again)), skipped);
 
   Vec4 first = Vec4(0.0);
   again = Vec4(0.0);
@@ -213,7 +228,9 @@ FN_SHARED Vec4 precomputed_march(IN(Air) air, IN(Lattice) lattice, int orders, V
     Float piece_end = select(before, dark, select(behind, reach, light_again));
     Float place = Float(i) - select(before, Float(0.0), select(behind, lit_last, lit_first));
     Float to_go = select(before, lit_first, select(behind, panels.x, lit_last)) - (Float(i) + 1.0);
-    Float begin = end;
+    Bool over = skips && behind && (place < 0.5);
+    depth = depth + select(over, skipped, Vec4(0.0));
+    Float begin = select(over, light_again, end);
     end = clamp(piece.x + piece.y * precomputed_sinh(piece.z + piece.w * (place + 1.0)), begin, piece_end);
     end = select(to_go < 0.5, piece_end, end);
     Float stride = end - begin;
@@ -309,5 +326,6 @@ FN_SHARED Vec4 precomputed_march(IN(Air) air, IN(Lattice) lattice, int orders, V
     }
     depth = depth + 0.277777777777778 * (extinction0 + extinction2) + 0.444444444444444 * extinction1;
   }
+  depth = depth + select(ends_lit, Vec4(0.0), skipped);
   return first;
 }

@@ -115,7 +115,7 @@ FN Vec4 precomputed_first_light_pass(IN(Air) air, IN(Lattice) lattice, Table2 sm
   Vec4 depth = Vec4(0.0);
   Vec4 none = Vec4(0.0);
   // It is asked once, of many: more panels than the next orders take cost little.
-  Vec4 light = precomputed_march(air, lattice, 1, Vec2(Float(4.0 * lattice.panels), Float(lattice.panels)), 4 * int(lattice.panels), smooth_layers, sunlit, darkness, phase0, phase1, phase2, phase3, at, reach, none, depth);
+  Vec4 light = precomputed_march(air, lattice, 1, Vec2(Float(4.0 * lattice.panels), Float(lattice.panels)), 4 * int(lattice.panels), smooth_layers, sunlit, sunlit, darkness, phase0, phase1, phase2, phase3, at, reach, none, depth);
   return light + select(hits, ground_radiance(air, sunlight, sunlight, 1, at, reach) * exp(-depth), Vec4(0.0));
 }
 
@@ -131,7 +131,7 @@ FN Vec4 precomputed_next_light_pass(IN(Air) air, IN(Lattice) lattice, Table2 smo
   Vec4 depth = Vec4(0.0);
   Vec4 none = Vec4(0.0);
   Vec4 light = Vec4(0.0);
-  precomputed_march(air, lattice, 2, Vec2(Float(lattice.panels), Float(0.0)), int(lattice.panels), smooth_layers, sunlit, source, none, none, none, none, at, reach, light, depth);
+  precomputed_march(air, lattice, 2, Vec2(Float(lattice.panels), Float(0.0)), int(lattice.panels), smooth_layers, sunlit, sunlit, source, none, none, none, none, at, reach, light, depth);
   return light + select(hits, precomputed_ground(air, ground_light, at, reach) * exp(-depth), Vec4(0.0));
 }
 

@@ -15,7 +15,7 @@ struct Sight {
   Scalar suns;       // [1] in 2..96
   Scalar altitudes;  // [1] in 2..64
   Scalar ups;        // [1] in 2..64   directions up, by their path to the top
-  Scalar limbs;      // [1] in 2..64   directions past the limb, by their lowest altitude
+  Scalar limbs;      // [1] in 2..64   directions past the limb, by their sine
   Scalar grounds;    // [1] in 2..64   directions to the ground, by altitude over distance
   Scalar azimuths;   // [1] in 2..64
   Scalar pad;        // [1] in 0..1
@@ -36,9 +36,9 @@ FN Float precomputed_seen_row(IN(Air) air, IN(Sight) sight, Float altitude, Floa
   Float s = sqrt(b * b + gap_above);
   Float longer = ahead * radius * (1.0 - mu) * (1.0 + radius * (1.0 + mu) / (air.ground_radius + air.top_altitude + s)) / (b + s);
   Float up = longer / max(sqrt(gap_above) - ahead, 1.0e-3);
-  // The lowest altitude by (r - R) = (r^2 - R^2) / (r + R), of the squared radius r^2 (1 - mu^2).
-  Float lowest = max(gap_below - radius * radius * mu * mu, 0.0) * (0.5 / air.ground_radius);
-  Float limb = lowest / max(altitude, 1.0e-3);
+  // 1 - x of the sine x = -mu r / sqrt(r^2 - R^2), which grows from 0 along the horizontal to 1 at the horizon.
+  Float limb = clamp((gap_below - radius * radius * mu * mu) / max(gap_below, 1.0), 0.0, 1.0);
+  limb = limb / (1.0 + sqrt(1.0 - limb));
   // Of a short way down altitude over distance is the cosine; it stays so where there is no altitude.
   Float steep = select(altitude < 0.01, -mu, altitude / max(distance_to_ground(air.ground_radius, altitude, mu), 0.01));
   Float grazing = sqrt(altitude / (2.0 * air.ground_radius + altitude));
@@ -65,7 +65,7 @@ FN Float precomputed_seen_mu(IN(Air) air, IN(Sight) sight, Float altitude, Float
   Float path = max(mix(ahead, sqrt(gap_above), part), 1.0);
   // Straight up and straight down are exact: an angle whose cosine is off by the last bit is off by 0.03 degrees.
   Float up = select(part > 0.0, clamp((gap_above - path * path) / (2.0 * radius * path), 0.0, 1.0), Float(1.0));
-  Float limb = -sqrt(max(gap_below - 2.0 * air.ground_radius * altitude * part, 0.0)) / radius;
+  Float limb = (part - 1.0) * sqrt(gap_below) / radius;
   Float grazing = sqrt(altitude / (2.0 * air.ground_radius + altitude));
   Float steep = max(mix(grazing, Float(1.0), part), 1.0e-6);
   Float down = select(steep < 1.0, -(steep * (2.0 * air.ground_radius + altitude) + altitude / steep) / (2.0 * radius), Float(-1.0));
@@ -110,7 +110,7 @@ FN int precomputed_sharpest(IN(Air) air, Table2 phases) {
 }
 
 /// The table `seen`.
-FN Vec4 precomputed_seen_pass(IN(Air) air, IN(Lattice) lattice, IN(Sight) sight, Table2 phases, Table2 layers, Table2 sunlit, Table3 source, Vec3 uvw) {
+FN Vec4 precomputed_seen_pass(IN(Air) air, IN(Lattice) lattice, IN(Sight) sight, Table2 phases, Table2 layers, Table2 optical_depth, Table2 sunlit, Table3 source, Vec3 uvw) {
   Float reach = Float(0.0);
   Float away = Float(0.0);
   Vec4 at = precomputed_seen_ray(air, sight, uvw, reach, away);
@@ -128,11 +128,11 @@ FN Vec4 precomputed_seen_pass(IN(Air) air, IN(Lattice) lattice, IN(Sight) sight,
   Vec4 depth = Vec4(0.0);
   int orders = 2;
   if (sight.marched < 0.5) orders = 3;
-  Vec4 first = precomputed_march(air, lattice, orders, Vec2(Float(16.0), Float(5.0)), 16, layers, sunlit, source, phase0, phase1, phase2, phase3, at, reach, again, depth);
+  Vec4 first = precomputed_march(air, lattice, orders, Vec2(Float(16.0), Float(5.0)), 16, layers, optical_depth, sunlit, source, phase0, phase1, phase2, phase3, at, reach, again, depth);
   return -ln4(max((first + again) * (1.0 / reach), 1.0e-30));
 }
 /// The table `seen_peak`.
-FN Vec4 precomputed_seen_peak_pass(IN(Air) air, IN(Lattice) lattice, IN(Sight) sight, Table2 phases, Table2 layers, Table2 sunlit, Table3 source, Vec3 uvw) {
+FN Vec4 precomputed_seen_peak_pass(IN(Air) air, IN(Lattice) lattice, IN(Sight) sight, Table2 phases, Table2 layers, Table2 optical_depth, Table2 sunlit, Table3 source, Vec3 uvw) {
   Float reach = Float(0.0);
   Float away = Float(0.0);
   Vec4 at = precomputed_seen_ray(air, sight, uvw, reach, away);
@@ -147,7 +147,7 @@ FN Vec4 precomputed_seen_peak_pass(IN(Air) air, IN(Lattice) lattice, IN(Sight) s
   if (sharpest == 3) phase3 = Vec4(1.0);
   Vec4 again = Vec4(0.0);
   Vec4 depth = Vec4(0.0);
-  Vec4 first = precomputed_march(air, lattice, 1, Vec2(Float(16.0), Float(3.0)), 16, layers, sunlit, source, phase0, phase1, phase2, phase3, at, reach, again, depth);
+  Vec4 first = precomputed_march(air, lattice, 1, Vec2(Float(16.0), Float(0.0)), 16, layers, optical_depth, sunlit, source, phase0, phase1, phase2, phase3, at, reach, again, depth);
   return -ln4(max(first * (1.0 / reach), 1.0e-30));
 }
 
@@ -195,14 +195,15 @@ FN Vec4 precomputed_depth_to_ground(IN(Air) air, Table2 optical_depth, Vec4 at, 
 }
 
 /// Light of a ray's segment, so that it and the rest of the ray are the whole: what marching the segment and looking up the rest differ by from
-/// looking up the whole is taken from the segment, all of it where the segment is all that is seen, twice its own share where it is little.
+/// looking up the whole is taken from the segment, all of it where the segment is all that is seen, three times its own share where it is little.
 /// @param marched [1/sr] in 0..1
 /// @param rest [1/sr] in 0..1  attenuated
 /// @param whole [1/sr] in 0..2
 FN Vec4 precomputed_segment(Vec4 marched, Vec4 rest, Vec4 whole) {
   Vec4 sum = max(marched + rest, 1.0e-30);
   // Both know the light to a few percent; where they differ by more there is next to none.
-  return marched * (1.0 + (2.0 - marched / sum) * (clamp(whole / sum, 0.75, 1.25) - 1.0));
+  Vec4 share = min(marched / sum, 1.0);
+  return marched * (1.0 + (3.0 - share * (3.0 - share)) * (clamp(whole / sum, 0.75, 1.25) - 1.0));
 }
 
 /// What a view ray brings, all orders of scattering, per solar irradiance [1/sr]: the air's part; light reflected by the ground where the
@@ -237,7 +238,7 @@ FN_SHARED Vec4 precomputed_ray_light(IN(Air) air, IN(Lattice) lattice, IN(Sight)
     precomputed_phases(air, phases, away, phase0, phase1, phase2, phase3);
     Vec4 again_marched = Vec4(0.0);
     Vec4 depth_marched = Vec4(0.0);
-    Vec4 light_marched = precomputed_march(air, lattice, orders, precomputed_panels(select(ends, Float(2.0 * panels), Float(panels)), ends), most, layers, sunlit, source, phase0, phase1, phase2, phase3, at, reach, again_marched, depth_marched);
+    Vec4 light_marched = precomputed_march(air, lattice, orders, precomputed_panels(select(ends, Float(2.0 * panels), Float(panels)), ends), most, layers, optical_depth, sunlit, source, phase0, phase1, phase2, phase3, at, reach, again_marched, depth_marched);
     if (any(ends)) {
       Vec4 marched = again_marched;
       if (sight.marched < 0.5) marched = marched + light_marched;

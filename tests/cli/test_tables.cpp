@@ -83,9 +83,10 @@ TEST(Tables, of_all_orders_give_the_models_numbers) {
       sky.evaluate(Quantity::radiance, {&whole, 1}, wavelengths, all);
       sky.evaluate(Quantity::path_radiance, {&whole, 1}, wavelengths, air);
       for (std::size_t k = 0; k < 4; ++k) expected[k] += all[k] - air[k];  // the ground's part
-      // The reader's 400 steps against three Gauss points in each of 128 panels of a ray.
+      // The reader's 400 steps against three Gauss points in each of 128 panels of a ray, which is held to what is seen along the whole of it:
+      // in a draft's few cells that is a few percent off.
       for (std::size_t k = 0; k < 4; ++k)
-        EXPECT_NEAR(double(read["radiance"][k]) / expected[k], 1, 0.02) << "sun " << sun << ", value " << k;
+        EXPECT_NEAR(double(read["radiance"][k]) / expected[k], 1, 0.04) << "sun " << sun << ", value " << k;
     }
   }
 }
