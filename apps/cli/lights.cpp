@@ -2,17 +2,22 @@
 
 #include <fmt/core.h>
 
+#include "airlight/error.h"
+#include "airlight/model_info.h"
 #include "number.h"
 
 namespace airlight::cli {
 
-std::vector<LitSky> lit_skies(const Scene& scene, const Place& origin, const Sky& sun, std::shared_ptr<Engine> engine) {
+std::vector<LitSky> lit_skies(std::span<const SceneLight> lights, const Atmosphere& air, const Place& origin,
+                              const Sky& sun, const std::shared_ptr<Engine>& engine) {
+  if (!lights.empty() && model_info(sun.model()).colours)
+    throw InputError(fmt::format("model {}: knows one light, its sun; expected no light beside it", sun.model()));
   std::vector<LitSky> skies;
-  for (const SceneLight& light : scene.lights) {
-    const PlacedLight placed = place_light(light, scene.air.sun, origin);
-    Atmosphere air = scene.air;
-    air.sun = placed.source;
-    skies.push_back({Sky(std::move(air), sun.model(), engine, sun.parameters()), placed});
+  for (const SceneLight& light : lights) {
+    const PlacedLight placed = place_light(light, air.sun, origin);
+    Atmosphere lit = air;
+    lit.sun = placed.source;
+    skies.push_back({Sky(std::move(lit), sun.model(), engine, sun.parameters()), placed});
   }
   return skies;
 }

@@ -1,5 +1,6 @@
-// The lights that a scene has beside its sun.
+// The lights beside the sun.
 #pragma once
+#include <span>
 #include <vector>
 
 #include "airlight/sky.h"
@@ -16,8 +17,11 @@ struct LitSky {
   Direction direction() const { return airlight::direction(light.azimuth, light.elevation); }  ///< in the scene's frame
 };
 
+/// @param air  with its sun at one astronomical unit
 /// @param sun  the same air in the sun's light: gives model, its parameters and engine
-std::vector<LitSky> lit_skies(const Scene& scene, const Place& origin, const Sky& sun, std::shared_ptr<Engine> engine);
+/// @throws InputError for a published system, which knows one light.
+std::vector<LitSky> lit_skies(std::span<const SceneLight> lights, const Atmosphere& air, const Place& origin,
+                              const Sky& sun, const std::shared_ptr<Engine>& engine);
 
 /// Adds lines for a picture's metadata.
 void describe(const std::vector<LitSky>& lights, Metadata& lines);

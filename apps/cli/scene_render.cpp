@@ -68,8 +68,6 @@ Sky make_sky(const Scene& scene, const SunPlace& sun, std::shared_ptr<Engine> en
 bool draws_sky_alone(const Scene& scene) {
   const Model& model = find_model(scene.picture.model);
   if (!model.colours) return false;
-  if (!scene.lights.empty())
-    throw InputError(fmt::format("model {}: knows one light, its sun; expected a scene without light", model.name));
   if (scene.has_land) {
     if (!model.surface.empty()) return false;
     throw InputError(
@@ -202,7 +200,7 @@ SceneShot::SceneShot(const Scene& scene, std::shared_ptr<const Land> land, std::
                      bool sun_disc, const std::vector<double>& wavelengths)
     : sun_(sun_place(scene, *land)),
       sky_(make_sky(scene, sun_, engine)),
-      more_lights_(lit_skies(scene, land->origin(), sky_, std::move(engine))),
+      more_lights_(lit_skies(scene.lights, scene.air, land->origin(), sky_, engine)),
       placed_(place_camera(scene.camera, *land)),
       sun_disc_(sun_disc),
       width_(placed_.camera.width),

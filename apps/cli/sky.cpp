@@ -13,6 +13,7 @@
 #include "commands.h"
 #include "interrupt.h"
 #include "lens.h"
+#include "lights.h"
 #include "model_options.h"
 #include "number.h"
 #include "options.h"
@@ -32,7 +33,7 @@ struct SkyOptions {
   SunOptions sun;
   MachineOptions machine;
   ModelOptions own;
-  std::vector<std::string> outputs;
+  std::vector<std::string> outputs, lights;
   std::string projection = "equirectangular", size, exposure, tone, wavelengths = "4";
   double altitude = 2, azimuth = 0, target_error = 0.01;
   std::optional<double> elevation, field_of_view;
@@ -102,6 +103,38 @@ using Strip = std::function<bool(int begin, int end, std::span<const float> valu
 /// Draws what one camera sees, strip by strip.
 using Draw = std::function<bool(const Camera& camera, const Strip& strip)>;
 
+/// The lights that --light names, beside a sun.
+/// @param air  with its sun at one astronomical unit
+std::vector<LitSky> make_lights(const SkyOptions& options, const Atmosphere& air, const Sky& sky,
+                                const std::shared_ptr<Engine>& engine) {
+  SceneSun sun;
+  if (!options.sun.place.empty()) {
+    sun.place = parse_place(options.sun.place);
+    sun.time = parse_time(options.sun.time);
+    sun.refraction = options.sun.refraction;
+  }
+  std::vector<SceneLight> lights;
+  for (const std::string& keys : options.lights) {
+    lights.push_back(parse_light(keys, "--light", sun));
+    if (lights.back().place.time && !lights.back().place.place && !sun.place)
+      throw InputError("--light: time without place; give place, too, or --place");
+  }
+  return lit_skies(lights, air, sun.place.value_or(Place{}), sky, engine);
+}
+
+/// The sum of two pictures, of which the first comes in strips; their fourth channel is the first one's where it is no light.
+/// @param second  whole
+Strip plus(const std::vector<float>& second, int width, std::size_t channels, bool spectral, const Strip& strip) {
+  return [&second, width, channels, spectral, strip, sum = std::vector<float>()](int begin, int end,
+                                                                                 std::span<const float> first) mutable {
+    sum.assign(first.begin(), first.end());
+    const float* more = second.data() + std::size_t(begin) * std::size_t(width) * channels;
+    for (std::size_t i = 0; i < sum.size(); ++i)
+      if (spectral || i % channels != 3) sum[i] += more[i];
+    return strip(begin, end, sum);
+  };
+}
+
 /// The six faces side by side; they come one after the other and are woven into rows here.
 bool render_cube(const Draw& draw, Camera camera, std::size_t channels, const Strip& strip,
                  const std::function<bool(double)>& go_on) {
@@ -156,16 +189,22 @@ int run_sky(const SkyOptions& options) {
   PictureFormat format = picture_format(options.exposure.empty() ? "auto" : options.exposure,
                                         options.tone.empty() ? "filmic" : options.tone, options.full_float);
 #ifdef AIRLIGHT_WITH_REFERENCE
-  if (options.machine.model == "reference") return run_reference(options, camera, format);
+  if (options.machine.model == "reference") {
+    if (!options.lights.empty()) throw InputError("--light: model reference knows one light, its sun");
+    return run_reference(options, camera, format);
+  }
 #endif
   const PictureOptions picture{!options.no_sun, picture_wavelengths(options.wavelengths)};
   options.machine.check_model();
   const SunPlace sun = options.sun.resolve(options.own.sun_elevation(options.machine.model));
-  Atmosphere atmosphere = options.air.load();
+  const Atmosphere air = options.air.load();
+  Atmosphere atmosphere = air;
   sun.apply_distance(atmosphere);
   Parameters own_parameters = options.own.parameters();
   read_pictures(options.machine.model, own_parameters);
-  const Sky sky(atmosphere, options.machine.model, options.machine.make(), own_parameters);
+  const std::shared_ptr<Engine> engine = options.machine.make();
+  const Sky sky(atmosphere, options.machine.model, engine, own_parameters);
+  const std::vector<LitSky> lights = make_lights(options, air, sky, engine);
   tell_warnings(sky);
   if (const auto own = own_display(sky.model(), sky.parameters()))
     format = picture_format(options.exposure.empty() ? own->exposure : options.exposure,
@@ -173,6 +212,7 @@ int run_sky(const SkyOptions& options) {
 
   const bool cube = camera.projection == Projection::cube;
   Metadata metadata = make_metadata(options, sky, camera, sun, picture.wavelengths);
+  describe(lights, metadata);
   std::optional<SpectralColours> spectral;
   if (options.spectral || !options.sensor.empty()) {
     spectral.emplace(sky, picture.wavelengths, options.sensor, options.spectral);
@@ -194,11 +234,23 @@ int run_sky(const SkyOptions& options) {
         files.write(begin, end, values);
       return go_on(double(end) / camera.height);
     };
-    const auto draw = [&](const Camera& one, const Strip& strip) {
-      return spectral ? sky.render_spectral(one, sun.direction(), picture, strip)
-                      : sky.render(one, sun.direction(), picture, strip);
-    };
     const std::size_t channels = spectral ? spectral->wavelengths().size() : 4;
+    const auto draw_one = [&](const Sky& lit, const Direction& light, const Camera& one, const Strip& strip) {
+      return spectral ? lit.render_spectral(one, light, picture, strip) : lit.render(one, light, picture, strip);
+    };
+    const auto draw = [&](const Camera& one, const Strip& strip) {
+      if (lights.empty()) return draw_one(sky, sun.direction(), one, strip);
+      std::vector<float> others(std::size_t(one.width) * std::size_t(one.height) * channels);
+      for (const LitSky& light : lights) {
+        const auto add = [&](int begin, int, std::span<const float> values) {
+          float* sum = others.data() + std::size_t(begin) * std::size_t(one.width) * channels;
+          for (std::size_t i = 0; i < values.size(); ++i) sum[i] += values[i];
+          return !interrupted();
+        };
+        if (!draw_one(light.sky, light.direction(), one, add)) return false;
+      }
+      return draw_one(sky, sun.direction(), one, plus(others, one.width, channels, spectral.has_value(), strip));
+    };
     const bool whole = cube ? render_cube(draw, camera, channels, write, go_on) : draw(camera, write);
     if (!whole) throw Interrupted{};
     check_interrupt();
@@ -268,6 +320,13 @@ void add_sky(CommandLine& line) {
              "--model reference: walk until the median pixel's standard error / luminance is below (default 0.01)")
       .group(picture);
   options->sun.add_to(sky);
+  sky.option(
+         "--light", options->lights,
+         "another light, by the keys of [[light]] in docs/scene_file.md: 'body = \"moon\"' with --place and --time, or "
+         "'body = \"moon\", elevation = 30, azimuth = 120, phase = 20'; may be repeated")
+      .one_value_each()
+      .group("Sun")
+      .type_name("KEYS");
   options->air.add_to(sky);
   options->machine.add_to(sky);
   options->own.add_to(sky);

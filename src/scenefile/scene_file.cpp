@@ -295,6 +295,13 @@ ScenePicture read_picture(TableReader reader) {
 
 }  // namespace
 
+SceneLight parse_light(const std::string& keys, const std::string& name, const SceneSun& sun) {
+  const toml::table document = parse_toml("light = { " + keys + " }", name);
+  TableReader root(document, name), reader = root.table("light");
+  root.finish();
+  return read_light(reader, sun);
+}
+
 Scene parse_scene(std::string_view text, const std::string& file) { return read_scene(parse_toml(text, file), file); }
 
 Scene read_scene(const toml::table& document, const std::string& file) {

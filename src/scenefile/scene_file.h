@@ -48,6 +48,12 @@ Scene parse_scene(std::string_view text, const std::string& file);
 /// @throws InputError.
 Scene load_scene(const std::string& path);
 
+/// A light beside the sun from the keys of `[[light]]` in one line: `body = "moon", elevation = 30`.
+/// @param name  for messages
+/// @param sun   whose place and time a moon shares that says not where it stands
+/// @throws InputError.
+SceneLight parse_light(const std::string& keys, const std::string& name, const SceneSun& sun);
+
 /// Whether a name is that of a scene file, not of an atmosphere: only scenes have a camera.
 /// @throws InputError for a file that is no TOML.
 bool is_scene_file(const std::string& name);

@@ -43,6 +43,36 @@ TEST(Pictures, metadata_say_how_they_were_made) {
     EXPECT_NE(picture.header.find(text), std::string::npos) << text << " in\n" << picture.header;
 }
 
+TEST(Pictures, light_of_two_suns_adds_up) {
+  for (const char* projection : {"fisheye", "cube"}) {
+    const auto with = [&](std::vector<std::string> words) {
+      words.insert(words.end(), {"--projection", projection, "--size", "24", "--float"});
+      return sky(words);
+    };
+    const Picture first = with({"--sun-elevation", "25", "--sun-azimuth", "40"}),
+                  second = with({"--sun-elevation", "5", "--sun-azimuth", "200"}),
+                  both =
+                      with({"--sun-elevation", "25", "--sun-azimuth", "40", "--light", "elevation = 5, azimuth = 200"});
+    ASSERT_EQ(both.rgb.size(), first.rgb.size());
+    // The same floats are added: nothing but the file's rounding.
+    for (std::size_t i = 0; i < both.rgb.size(); ++i)
+      ASSERT_NEAR(both.rgb[i], first.rgb[i] + second.rgb[i], 1e-6f * std::abs(both.rgb[i])) << projection << ' ' << i;
+    EXPECT_NE(both.header.find("light[0] elevation [degrees] = 5"), std::string::npos) << both.header;
+  }
+}
+
+TEST(Pictures, a_moon_lights_the_night) {
+  // Full on 3 January 2026; at midnight it is high over the Alps, and the sun 65 degrees below the horizon.
+  const std::vector<std::string> night{"--place", "46.6,7.9", "--time", "2026-01-03T23:00Z", "--size", "32"};
+  std::vector<std::string> moonlit = night;
+  moonlit.insert(moonlit.end(), {"--light", "body = \"moon\""});
+  const Picture dark = sky(night), lit = sky(moonlit);
+  // A full moon is some 4e5 times fainter than the sun: skies of 0.003 to 0.03 cd/m2.
+  EXPECT_LT(dark.luminance(16, 4), 1e-4);
+  EXPECT_GT(lit.luminance(16, 4), 1e-3);
+  EXPECT_LT(lit.luminance(16, 4), 0.1);
+}
+
 TEST(Pictures, spectral_channels_are_named_by_their_wavelengths) {
   const Picture picture = sky({"--sun-elevation", "20", "--size", "16", "--wavelengths", "360:830:10", "--spectral"});
   EXPECT_EQ(picture.layers.size(), 3u + 48);
