@@ -14,7 +14,8 @@ class SkyAnswerer : public Answerer {
   std::vector<Answer> answer(const Topic& topic, std::span<const Ray> rays) override {
     const Sky& sky = above(topic.atmosphere);
     return as_asked(topic, rays, [&](Quantity quantity, std::span<const double> wavelengths) {
-      std::vector<double> values(rays.size() * wavelengths.size());
+      // Red, green and blue that stand for no wavelengths are asked for by none.
+      std::vector<double> values(rays.size() * (wavelengths.empty() ? 3 : wavelengths.size()));
       sky.evaluate(quantity, rays, wavelengths, values, topic.max_order);
       return values;
     });

@@ -7,8 +7,10 @@
 /// @param b [km] in -8..8
 /// @param c [km^2] in -64..-1
 FN Float rama_exit(Float a, Float b, Float c) {
-  Float root = sqrt(max(b * b - a * c, 0.0));
-  return select(b > 0.0, max(-c, 0.0) / max(b + root, 1.0e-9), (root - b) / max(a, 1.0e-9));
+  // Along the axis a ray never leaves the cylinder.
+  Float slope = max(a, 1.0e-9);
+  Float root = sqrt(max(b * b - slope * c, 0.0));
+  return select(b > 0.0, max(-c, 0.0) / max(b + root, 1.0e-9), (root - b) / slope);
 }
 
 /// Nearest of two distances, the second counting where it is a hit before the first [km].

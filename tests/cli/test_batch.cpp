@@ -152,6 +152,24 @@ TEST(Batch, parameters_are_those_of_the_model_that_is_named_beside_them) {
   EXPECT_EQ(batch(lines({fast}), {"--model", "codeflow", "--set", "g=0"}).code, 2);
 }
 
+TEST(Batch, published_systems_answer_in_red_green_and_blue_of_their_own) {
+  for (const char* model : {"codeflow", "hoffman_preetham", "jetlag", "realworldz", "rama"}) {
+    json question = with(example, {{"model", model}, {"atmosphere", "earth"}, {"quantity", "radiance"}});
+    question.erase("wavelengths");
+    const auto answers = json_lines(batch(lines({question})).out);
+    ASSERT_EQ(answers.size(), 1u) << model;
+    ASSERT_TRUE(answers[0].contains("value")) << model << ": " << answers[0];
+    ASSERT_EQ(answers[0]["value"].size(), 3u) << model;
+    const auto ask = [&](const char* key) { return std::to_string(question[key].get<double>()); };
+    const Folder folder;
+    const Outcome one = run(folder, {"probe", "--json", "--model", model, "--altitude", ask("altitude"),
+                                     "--view-zenith", ask("view_zenith"), "--view-azimuth", ask("view_azimuth"),
+                                     "--sun-elevation", std::to_string(90 - question["sun_zenith"].get<double>())});
+    ASSERT_EQ(one.code, 0) << one.err;
+    EXPECT_EQ(answers[0]["value"], json::parse(one.out)["radiance"]) << model;
+  }
+}
+
 TEST(Batch, a_segment_of_no_length_is_empty) {
   const auto answers = json_lines(batch(lines({with(example, {{"distance", 0}, {"quantity", "transmittance"}}),
                                                with(example, {{"distance", 0}, {"quantity", "path_radiance"}})}))

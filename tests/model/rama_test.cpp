@@ -198,6 +198,10 @@ TEST(RamaHull, is_closed_and_faces_inwards) {
     const double widest = x < -5 ? 7.5 : 8, cap = x > 16 ? x - 16 : x < -16.5 ? x + 16.5 : 0;
     const double r = 0.999 * std::sqrt(std::max(widest * widest - cap * cap, 0.0)) * std::sqrt(std::fabs(random()));
     Numbers p{x, r * std::cos(phi), r * std::sin(phi)}, d{random(), random(), random()};
+    // Also straight along the axis, where a ray never leaves the cylinder, and square to it.
+    if (k % 5 == 0) d[1] = d[2] = 0;
+    if (k % 7 == 0) d[0] = 0;
+    if (k % 35 == 0) d[1] = 1;
     const double n = std::sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
     for (double& c : d) c /= n;
     const auto hit = kernels->call("rama.hull", {{"p", p}, {"d", d}}, {});
