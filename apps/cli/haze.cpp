@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <filesystem>
 
 #include "airlight/error.h"
 #include "command_line.h"
@@ -166,9 +167,21 @@ std::string describe_depth(const std::vector<float>& distance) {
   return fmt::format("depth {:.6g} .. {:.6g} m, {:.0f} % sky", nearest, farthest, part);
 }
 
+/// A render is not made twice: its haze goes into another file.
+void check_outputs(const HazeOptions& options) {
+  for (const std::string& output : options.outputs) {
+    for (const auto& [option, read] : {std::pair{"--color", options.color}, {"--depth-file", options.depth_file}}) {
+      std::error_code none;
+      if (std::filesystem::equivalent(output, read, none))
+        throw InputError(fmt::format("-o {}: is the file that {} reads; expected another", output, option));
+    }
+  }
+}
+
 int run_haze(const HazeOptions& options) {
   const auto started = std::chrono::steady_clock::now();
   // Everything that can be wrong with the words is found before any work is done or any file is touched.
+  check_outputs(options);
   DepthMeaning meaning = options.depth_meaning();
   const bool bad_is_sky = options.bad_depth_is_sky();
   PictureFormat format = picture_format(options.exposure, options.tone, options.full_float);

@@ -64,7 +64,10 @@ GdalRasterFile::GdalRasterFile(const std::string& path) : path_(path) {
   if (std::filesystem::is_directory(path, error)) throw InputError(path + ": expected a file, got a folder");
   dataset_.reset(static_cast<GDALDataset*>(
       GDALOpenEx(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, nullptr, nullptr, nullptr)));
-  if (!dataset_) throw InputError(path + ": GDAL cannot read it as a raster: " + CPLGetLastErrorMsg());
+  if (!dataset_) {
+    const std::string why = CPLGetLastErrorMsg();  // none where no format knows it
+    throw InputError(path + ": GDAL cannot read it as a raster" + (why.empty() ? "" : ": " + why));
+  }
   GDALDataset& dataset = *dataset_;
   if (dataset.GetRasterCount() < 1 || dataset.GetRasterXSize() < 2 || dataset.GetRasterYSize() < 2) {
     throw InputError(path + ": " + std::to_string(dataset.GetRasterXSize()) + " x " +

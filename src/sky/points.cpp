@@ -69,7 +69,7 @@ void Sky::Impl::haze(double altitude, const Direction& sun, std::span<const Sigh
   const std::string_view pass = model->haze(s);
   if (shadows && (pass.empty() || !takes(kernel_pass(pass), "shadow"))) {
     throw InputError("model " + std::string(model->name) + " cannot shade the air for an observer at " +
-                     number_text(altitude) + " m");
+                     number_text(altitude) + " m: expected a lower one, or no shadows in the air");
   }
   if (pass.empty()) {
     march_haze(altitude, sun, points, wavelengths, inscatter, transmittance);

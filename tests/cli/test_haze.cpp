@@ -291,6 +291,8 @@ TEST_F(Haze, bad_pictures_are_told_and_nothing_is_written) {
                {with_camera({"--sky", "blue"}), "--sky = blue"},
                {{"--projection", "fisheye", "--field-of-view", "180"}, "--depth-kind"},
                {{"--projection", "cube", "--depth-kind", "distance"}, "six square faces"},
+               {with_camera({"-o", "in.exr"}), "is the file that --color reads"},
+               {with_camera({"--depth-file", "kept.exr"}), "is the file that --depth-file reads"},
                {{}, "which lens?"},
                {{"--exr-camera"}, "worldToNDC"}};
   for (const auto& c : cases) {
