@@ -90,7 +90,7 @@ FN Float precomputed_sinh(Float x) {
   return 0.5 * (size - 1.0 / size);
 }
 
-/// How the panels of a piece of a ray lie: x: path [m] at which the air is densest, around which they crowd; y: how fast light and air
+/// How the panels of a piece of a ray lie: x: path [m] at which the air that is seen is densest, around which they crowd; y: how fast light and air
 /// change there [m]; z: the first panel's begin as inverse_sinh((path - x) / y), w: what all panels stride in it. `at` as of meet_air.
 FN Vec4 precomputed_piece(IN(Air) air, Table2 layers, Vec4 at, Float begin, Float end) {
   Float along = (air.ground_radius + at.x) * at.y;
@@ -103,8 +103,13 @@ FN Vec4 precomputed_piece(IN(Air) air, Table2 layers, Vec4 at, Float begin, Floa
   Float extinction = dot(dense, ones);
   Float fall = clamp((1.0 - dot(thin, ones) / max(extinction, 1.0e-20)) * (1.0 / higher), 4.0 / air.top_altitude, 1.0 / higher);
   // A scale height is climbed on the slope, or by the ground's curvature; and air is gone through, if what lies before it lets one see it.
-  Float rate = abs(along + centre) / (air.ground_radius + altitude) * fall + sqrt(fall * (0.5 / air.ground_radius));
-  rate = rate + extinction * exp(-extinction * min(centre - begin, 1.0 / rate));
+  Float slope = abs(along + centre) / (air.ground_radius + altitude) * fall;
+  Float rate = slope + sqrt(fall * (0.5 / air.ground_radius));
+  Float passed = extinction * min(centre - begin, 1.0 / rate);
+  rate = rate + extinction * exp(-passed);
+  // What lies behind an optical depth of one is hardly seen: panels crowd before it.
+  Float behind = ln(max(passed, 1.0));
+  centre = max(centre - 2.0 * behind / (slope + sqrt(slope * slope + behind * fall * (2.0 / air.ground_radius)) + 1.0e-20), begin);
   Float scale = 1.0 / rate;
   Float first = precomputed_inverse_sinh((begin - centre) * rate);
   Float last = precomputed_inverse_sinh((end - centre) * rate);
