@@ -27,7 +27,7 @@ bool from_tables(const Situation& situation) {
 /// `full` is what docs/accuracy.md judges; `draft` answers at once, for tests and for a first look.
 Sizes sizes(const Situation& situation) {
   if (situation.parameters && situation.parameters->word("detail") == "draft")
-    return {20, 10, 8, 4, 8, 5, {24, 12, 14, 12, 8, 5}};
+    return {24, 10, 8, 4, 8, 5, {28, 12, 14, 12, 8, 5}};
   // There are two of the tables of what is seen where nothing is marched: smaller ones, so that all stay below 64 MiB.
   const Sizes::Seen seen =
       from_tables(situation) ? Sizes::Seen{64, 32, 24, 20, 12, 10} : Sizes::Seen{64, 40, 24, 20, 12, 14};
