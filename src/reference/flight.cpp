@@ -62,8 +62,8 @@ void Flight::aim(const Layers& layers, const Optics& optics, const Guide& guide,
     const double t = 0.5 * (line_.borders[ends_[k]] + line_.borders[ends_[k + 1]]),
                  radius_squared = line_.impact_squared + t * t;
     const Guide::Light light = guide.air(radius_squared, sun_cosine(t, radius_squared));
-    const double* const column = &line_.columns[ends_[k] * count];
-    const double* const next = &line_.columns[ends_[k + 1] * count];
+    const double* const column = line_.columns.data() + ends_[k] * count;
+    const double* const next = line_.columns.data() + ends_[k + 1] * count;
     for (std::size_t g = 0; g < heroes; ++g) {
       double extinction = 0, scattering = 0, towards_sun = 0;
       for (std::size_t c = 0; c < count; ++c) {

@@ -14,7 +14,7 @@ int main(int argc, char** argv) {
   test::Random random;
   constexpr int draws = 4, count = 101;
   const auto put = [&](const std::vector<double>& numbers) {
-    std::fwrite(numbers.data(), sizeof(double), numbers.size(), file);
+    if (!numbers.empty()) std::fwrite(numbers.data(), sizeof(double), numbers.size(), file);
   };
   for (const FunctionInfo& f : kernel_functions()) {
     if (!f.evaluable) continue;
