@@ -2,11 +2,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <stdexcept>
 
 #include "airlight/error.h"
 #include "airlight/sky.h"
+#include "scratch_folder.h"
 
 namespace airlight {
 namespace {
@@ -23,11 +23,8 @@ class Watch : public testing::TestWithParam<const char*> {
     } catch (const WorkError& error) {
       GTEST_SKIP() << GetParam() << " is missing: " << error.what();
     }
-    folder_ = std::filesystem::temp_directory_path() / (std::string("airlight-watch-") + GetParam());
-    std::filesystem::remove_all(folder_);
-    engine_->keep_on_disk(folder_.string(), {});
+    engine_->keep_on_disk(folder_ / "tables", {});
   }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
 
   /// OpenGL in software is slow.
   int sets() const { return GetParam() == std::string("gl") ? 1 : 2; }
@@ -43,11 +40,12 @@ class Watch : public testing::TestWithParam<const char*> {
     return values;
   }
   long files() const {
-    return std::filesystem::exists(folder_) ? std::distance(std::filesystem::directory_iterator(folder_), {}) : 0;
+    const std::filesystem::path tables = folder_ / "tables";
+    return std::filesystem::exists(tables) ? std::distance(std::filesystem::directory_iterator(tables), {}) : 0;
   }
 
   std::shared_ptr<Engine> engine_;
-  std::filesystem::path folder_;
+  ScratchFolder folder_;
 };
 
 TEST_P(Watch, is_told_of_rising_parts_up_to_the_whole) {
