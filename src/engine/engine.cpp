@@ -68,6 +68,20 @@ std::uint64_t numbered(std::uint64_t key, std::size_t i) {
   return hash.value();
 }
 
+}  // namespace
+
+std::uint64_t kernel_version() {
+  static const std::uint64_t version = [] {
+    Hash hash;
+    for (const KernelGroup& group : kernel_groups())
+      for (const KernelSource* source : group.sources) hash.add(source->text);
+    return hash.value();
+  }();
+  return version;
+}
+
+namespace {
+
 TableFile table_file(const std::string& folder, std::string_view what, std::string_view engine, std::uint64_t key) {
   Hash hash;
   hash.add(key);
