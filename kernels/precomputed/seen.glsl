@@ -187,13 +187,6 @@ FN Vec4 precomputed_seen(IN(Air) air, IN(Sight) sight, Table3 seen, Table3 seen_
   return light * path;
 }
 
-/// -ln of the transmittance of a ray to the ground, from the table of depths to space [1]. `at` as of meet_air.
-FN Vec4 precomputed_depth_to_ground(IN(Air) air, Table2 optical_depth, Vec4 at, Float reach) {
-  Float up = clamp(-((air.ground_radius + at.x) * at.y + reach) * (1.0 / air.ground_radius), 0.0, 1.0);
-  Vec4 whole = lookup(optical_depth, depth_uv(air, Float(0.0), up, width_of(optical_depth), height_of(optical_depth)));
-  return max(whole - lookup(optical_depth, depth_uv(air, at.x, -at.y, width_of(optical_depth), height_of(optical_depth))), 0.0);
-}
-
 /// Light of a ray's segment, so that it and the rest of the ray are the whole: what marching the segment and looking up the rest differ by from
 /// looking up the whole is taken from the segment, all of it where the segment is all that is seen, three times its own share where it is little.
 /// @param marched [1/sr] in 0..1
@@ -221,7 +214,7 @@ FN_SHARED Vec4 precomputed_ray_light(IN(Air) air, IN(Lattice) lattice, IN(Sight)
   Vec4 again = precomputed_seen(air, sight, seen, seen_peak, peak, at, down, whole);
   Vec4 light = Vec4(0.0);
   Vec4 depth = Vec4(0.0);
-  if (sight.marched < 0.5) depth = precomputed_depth_to_ground(air, optical_depth, at, reach);
+  if (sight.marched < 0.5) depth = precomputed_depth_between(air, optical_depth, at, precomputed_along(air, at, reach));
   Bool ends = reach < whole;
   if (sight.marched > 0.5 || any(ends)) {
     // The source is looked up at the ends of panels alone: it wants more of them than sunlight does.
