@@ -28,8 +28,9 @@ FN Vec4 skylight_pass(IN(SurfaceGrid) grid, Table2 sky_light, Vec3 uvw) {
   Float from = band + grid.altitudes * floor(uvw.z * grid.suns);
   Vec4 sum = Vec4(0.0);
   for (int i = 0; i < 256; ++i) {
-    Vec3 d = hemisphere_direction(Float(i));
-    // The direction and its mirror image; the light has been multiplied by z.
+    Float kept = Float(0.0);
+    Vec3 d = hemisphere_direction(Float(i), kept);
+    // The direction and its mirror image; the light has been multiplied by z and its part of the ring.
     Float level = x * d.x + z * d.z;
     Float weight = max(level + y * d.y, 0.0) + max(level - y * d.y, 0.0);
     sum = sum + fetch(sky_light, Float(i), from) * (weight * 0.5 / d.z);

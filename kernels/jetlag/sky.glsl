@@ -66,15 +66,16 @@ FN Vec4 jetlag_rays_pass(IN(Jetlag) jetlag, IN(JetlagDrift) drift, Table2 noise,
   return jetlag_ray(jetlag, drift, noise, o, jetlag_frame(Vec3(eye.y, eye.z, eye.w)), jetlag_frame(Vec3(at.y, at.z, at.w)), at.x, Vec2(Float(jetlag.jitter.x), Float(jetlag.jitter.y)), transmittance, ground);
 }
 
-/// Skylight from one direction of the hemisphere (u) for one observer (v), times its z [1].
+/// Skylight from one direction of the hemisphere (u) for one observer (v), times its weight [1].
 FN Vec4 jetlag_sky_light_pass(IN(Jetlag) jetlag, IN(JetlagDrift) drift, Table2 noise, Table2 eyes, Table2 suns, Vec2 uv) {
   Vec4 eye = fetch(eyes, Float(0.0), floor(uv.y * height_of(eyes)));
   Vec4 at = fetch(suns, Float(0.0), floor(uv.y * height_of(suns)));
-  Vec3 view = hemisphere_direction(floor(uv.x * 256.0));
+  Float weight = Float(0.0);
+  Vec3 view = hemisphere_direction(floor(uv.x * 256.0), weight);
   Vec3 o = Vec3(Float(jetlag.eye.x), eye.x, Float(jetlag.eye.z));
   Vec4 transmittance = Vec4(0.0);
   Vec4 ground = Vec4(0.0);
-  return jetlag_ray(jetlag, drift, noise, o, jetlag_frame(view), jetlag_frame(sun_ahead(Vec3(at.y, at.z, at.w))), Float(1.0e30), Vec2(Float(jetlag.jitter.x), Float(jetlag.jitter.y)), transmittance, ground) * view.z;
+  return jetlag_ray(jetlag, drift, noise, o, jetlag_frame(view), jetlag_frame(sun_ahead(Vec3(at.y, at.z, at.w))), Float(1.0e30), Vec2(Float(jetlag.jitter.x), Float(jetlag.jitter.y)), transmittance, ground) * weight;
 }
 
 /// Sunlight at places [1].

@@ -26,13 +26,14 @@ FN Vec4 precomputed_transmittance_pass(IN(Air) air, Table2 zones, Table2 profile
   return ray_transmittance(air, zones, profile, eye.x, Vec3(eye.y, eye.z, eye.w), fetch_same(suns, uv).x);
 }
 
-/// Skylight from one direction of the hemisphere (u) for one observer (v), times its z, per solar irradiance [1/sr].
+/// Skylight from one direction of the hemisphere (u) for one observer (v), times its weight, per solar irradiance [1/sr].
 FN Vec4 precomputed_sky_light_pass(IN(Air) air, IN(Lattice) lattice, IN(Sight) sight, IN(March) march, Table2 phases, Table2 layers, Table2 sunlit, Table2 sunlight, Table2 optical_depth, Table3 source, Table2 ground_light, Table3 seen, Table3 seen_peak, Table2 eyes, Table2 suns, Vec2 uv) {
   Vec4 eye = fetch(eyes, Float(0.0), floor(uv.y * height_of(eyes)));
   Vec4 at = fetch(suns, Float(0.0), floor(uv.y * height_of(suns)));
-  Vec3 view = hemisphere_direction(floor(uv.x * 256.0));
+  Float weight = Float(0.0);
+  Vec3 view = hemisphere_direction(floor(uv.x * 256.0), weight);
   Vec4 ground = Vec4(0.0);
-  return precomputed_ray_light(air, lattice, sight, march.panels, phases, layers, sunlit, sunlight, optical_depth, source, ground_light, seen, seen_peak, eye.x, view, sun_ahead(Vec3(at.y, at.z, at.w)), Float(1.0e30), ground) * view.z;
+  return precomputed_ray_light(air, lattice, sight, march.panels, phases, layers, sunlit, sunlight, optical_depth, source, ground_light, seen, seen_peak, eye.x, view, sun_ahead(Vec3(at.y, at.z, at.w)), Float(1.0e30), ground) * weight;
 }
 
 /// A picture, linear sRGB [cd/m^2].

@@ -15,14 +15,15 @@ FN Vec4 single_rays_pass(IN(Air) air, Table2 zones, Table2 profile, Table2 phase
   return light * Vec4(air.solar_irradiance);
 }
 
-/// Skylight from one direction of the hemisphere (u) for one observer (v), times its z, per solar irradiance [1/sr].
+/// Skylight from one direction of the hemisphere (u) for one observer (v), times its weight, per solar irradiance [1/sr].
 FN Vec4 single_sky_light_pass(IN(Air) air, Table2 zones, Table2 profile, Table2 phases, Table2 sunlight, Table2 eyes, Table2 suns, Vec2 uv) {
   Vec4 eye = fetch(eyes, Float(0.0), floor(uv.y * height_of(eyes)));
   Vec4 at = fetch(suns, Float(0.0), floor(uv.y * height_of(suns)));
-  Vec3 view = hemisphere_direction(floor(uv.x * 256.0));
+  Float weight = Float(0.0);
+  Vec3 view = hemisphere_direction(floor(uv.x * 256.0), weight);
   Vec4 transmittance = Vec4(0.0);
   Vec4 ground = Vec4(0.0);
-  return ray_light(air, 1, zones, profile, phases, sunlight, sunlight, sunlight, eye.x, view, sun_ahead(Vec3(at.y, at.z, at.w)), Float(1.0e30), transmittance, ground) * view.z;
+  return ray_light(air, 1, zones, profile, phases, sunlight, sunlight, sunlight, eye.x, view, sun_ahead(Vec3(at.y, at.z, at.w)), Float(1.0e30), transmittance, ground) * weight;
 }
 
 /// A picture, linear sRGB [cd/m^2].

@@ -47,15 +47,16 @@ FN Vec4 skyview_multiple_pass(IN(GridSize) size, Table2 multiple_directions, Tab
   return -ln4(max(second / max(Vec4(1.0) - again, 0.02), 1.0e-30));
 }
 
-/// Skylight on the ground from one direction (v), times its z, for one zenith cosine of the Sun (u), per solar irradiance [1/sr].
+/// Skylight on the ground from one direction (v), times its weight, for one zenith cosine of the Sun (u), per solar irradiance [1/sr].
 FN Vec4 skyview_ground_directions_pass(IN(Air) air, IN(GridSize) size, Table2 zones, Table2 profile, Table2 phases, Table2 sunlight, Table2 multiple, Vec2 uv) {
   Float u = 2.0 * from_half_texel(uv.x, size.width) - 1.0;
   Float mu_s = u * abs(u);
   Vec3 sun = Vec3(sqrt(max((1.0 - mu_s) * (1.0 + mu_s), 0.0)), Float(0.0), mu_s);
   Vec4 transmittance = Vec4(0.0);
   Vec4 ground = Vec4(0.0);
-  Vec3 view = hemisphere_direction(floor(uv.y * 256.0));
-  return ray_light(air, 2, zones, profile, phases, sunlight, multiple, sunlight, Float(0.0), view, sun, Float(1.0e30), transmittance, ground) * view.z;
+  Float weight = Float(0.0);
+  Vec3 view = hemisphere_direction(floor(uv.y * 256.0), weight);
+  return ray_light(air, 2, zones, profile, phases, sunlight, multiple, sunlight, Float(0.0), view, sun, Float(1.0e30), transmittance, ground) * weight;
 }
 
 /// -ln of the skylight on the ground, per solar irradiance [1]: one row over the Sun's zenith cosine.
@@ -192,12 +193,13 @@ FN Vec4 skyview_rays_pass(IN(Air) air, Table2 zones, Table2 profile, Table2 phas
   return light * Vec4(air.solar_irradiance);
 }
 
-/// Skylight from one direction of the hemisphere (u) for one observer (v), times its z, per solar irradiance [1/sr].
+/// Skylight from one direction of the hemisphere (u) for one observer (v), times its weight, per solar irradiance [1/sr].
 FN Vec4 skyview_sky_light_pass(IN(Air) air, Table2 zones, Table2 profile, Table2 phases, Table2 sunlight, Table2 multiple, Table2 eyes, Table2 suns, Vec2 uv) {
   Vec4 eye = fetch(eyes, Float(0.0), floor(uv.y * height_of(eyes)));
   Vec4 at = fetch(suns, Float(0.0), floor(uv.y * height_of(suns)));
-  Vec3 view = hemisphere_direction(floor(uv.x * 256.0));
+  Float weight = Float(0.0);
+  Vec3 view = hemisphere_direction(floor(uv.x * 256.0), weight);
   Vec4 transmittance = Vec4(0.0);
   Vec4 ground = Vec4(0.0);
-  return ray_light(air, 2, zones, profile, phases, sunlight, multiple, sunlight, eye.x, view, sun_ahead(Vec3(at.y, at.z, at.w)), Float(1.0e30), transmittance, ground) * view.z;
+  return ray_light(air, 2, zones, profile, phases, sunlight, multiple, sunlight, eye.x, view, sun_ahead(Vec3(at.y, at.z, at.w)), Float(1.0e30), transmittance, ground) * weight;
 }
