@@ -3,21 +3,20 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <fstream>
-#include <sstream>
+#include <optional>
 
 #include "airlight/error.h"
 #include "number.h"
 #include "optics/colour.h"
+#include "scenefile/text_file.h"
 
 namespace airlight::cli {
 namespace {
 
 Response read_response(const std::string& path) {
-  std::ifstream file(path);
-  std::ostringstream text;
-  if (!(file && text << file.rdbuf())) throw InputError(fmt::format("--sensor = {}: cannot be read", path));
-  return parse_response_csv(text.str(), path);
+  const std::optional<std::string> text = read_text_file(path);
+  if (!text) throw InputError(fmt::format("--sensor = {}: no such file", path));
+  return parse_response_csv(*text, path);
 }
 
 }  // namespace

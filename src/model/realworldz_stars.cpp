@@ -2,13 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
-#include <sstream>
-#include <string>
 
 #include "airlight/sky.h"
 #include "optics/colour.h"
+#include "optics/csv.h"
 #include "optics/shipped_data.h"
 
 namespace airlight {
@@ -16,16 +14,13 @@ namespace airlight {
 const std::vector<Star>& star_catalogue() {
   static const std::vector<Star> stars = [] {
     std::vector<Star> read;
-    std::istringstream csv{std::string(shipped_text("stars.csv"))};
-    for (std::string line; std::getline(csv, line);) {
-      double ascension = 0, declination = 0, magnitude = 0, colour_index = 0;
-      if (std::sscanf(line.c_str(), "%lf,%lf,%lf,%lf", &ascension, &declination, &magnitude, &colour_index) != 4)
-        continue;
-      ascension *= std::numbers::pi / 180, declination *= std::numbers::pi / 180;
+    for (const CsvRow& row : parse_csv(shipped_text("stars.csv"), "stars.csv", "ascension,declination,magnitude,b_v")) {
+      const double ascension = row.values[0] * std::numbers::pi / 180,
+                   declination = row.values[1] * std::numbers::pi / 180;
       read.push_back({{std::cos(declination) * std::cos(ascension), std::cos(declination) * std::sin(ascension),
                        std::sin(declination)},
-                      magnitude,
-                      colour_index});
+                      row.values[2],
+                      row.values[3]});
     }
     return read;
   }();

@@ -1,10 +1,10 @@
 #include "optics/response.h"
 
 #include <cmath>
-#include <cstdio>
-#include <sstream>
 
 #include "airlight/error.h"
+#include "optics/csv.h"
+#include "optics/number_text.h"
 
 namespace airlight {
 
@@ -17,28 +17,23 @@ Response Response::scaled(double factor) const {
 
 Response parse_response_csv(std::string_view text, const std::string& name) {
   constexpr double lowest = 100, highest = 10'000;  // [nm] beyond which no air here has data
-  std::istringstream csv{std::string(text)};
-  std::string line;
-  std::vector<std::array<double, 4>> rows;
-  for (int number = 1; std::getline(csv, line); ++number) {
-    if (number == 1 || line.find_first_not_of(" \t\r") == std::string::npos) continue;
-    std::array<double, 4> r{};
-    const auto refuse = [&](const char* expected) {
-      throw InputError(name + ":" + std::to_string(number) + ": \"" + line.substr(0, 60) + "\": expected " + expected);
+  const std::vector<CsvRow> rows = parse_csv(text, name, "wavelength [nm],first,second,third");
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const std::vector<double>& r = rows[i].values;
+    const auto refuse = [&](const std::string& expected) {
+      throw InputError(name + ":" + std::to_string(rows[i].line) + ": wavelength " + number_text(r[0]) +
+                       " nm: expected " + expected);
     };
-    if (std::sscanf(line.c_str(), "%lf,%lf,%lf,%lf", &r[0], &r[1], &r[2], &r[3]) != 4)
-      refuse("\"wavelength [nm],first,second,third\"");
     for (const double value : r)
       if (!std::isfinite(value)) refuse("finite numbers");
-    if (!(r[0] >= lowest && r[0] <= highest) || r[0] != std::floor(r[0]))
-      refuse("a wavelength of 100 .. 10000 nm without a fraction");
-    if (!rows.empty() && !(r[0] > rows.back()[0])) refuse("increasing wavelengths");
-    rows.push_back(r);
+    if (!(r[0] >= lowest && r[0] <= highest) || r[0] != std::floor(r[0])) refuse("100 .. 10000 nm without a fraction");
+    if (i > 0 && !(r[0] > rows[i - 1].values[0])) refuse("increasing wavelengths");
   }
-  if (rows.size() < 2) throw InputError(name + ": expected a heading and two lines of numbers or more");
+  if (rows.size() < 2)
+    throw InputError(name + ":" + std::to_string(rows[0].line) + ": expected two rows of numbers or more, got one");
   Response response;
   for (std::size_t i = 0; i + 1 < rows.size(); ++i) {
-    const auto &a = rows[i], &b = rows[i + 1];
+    const std::vector<double>&a = rows[i].values, &b = rows[i + 1].values;
     const int steps = int(std::lround(b[0] - a[0]));
     for (int k = 0; k < steps + (i + 2 == rows.size()); ++k) {
       const double t = double(k) / steps;

@@ -15,9 +15,9 @@ struct Response {
   Response scaled(double factor) const;
 };
 
-/// A heading, then "wavelength [nm],first,second,third" a line, whole numbers of nanometres, increasing; linear between.
+/// "wavelength [nm],first,second,third" a line, perhaps after a heading, whole numbers of nanometres, increasing; linear between.
 /// @param name  for messages
-/// @throws InputError: "camera.csv:3: ..." naming what was expected
+/// @throws InputError: "camera.csv:3: ..." naming what was expected; for a text with fewer than two rows
 Response parse_response_csv(std::string_view text, const std::string& name);
 
 }  // namespace airlight

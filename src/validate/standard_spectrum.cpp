@@ -1,10 +1,11 @@
 #include "validate/standard_spectrum.h"
 
-#include <cstdio>
 #include <fstream>
+#include <iterator>
 
 #include "airlight/error.h"
 #include "airlight/spectrum.h"
+#include "optics/csv.h"
 
 namespace airlight::validation {
 
@@ -18,17 +19,14 @@ double StandardSpectrum::above_in_box(double first, double last) const {
 }
 
 StandardSpectrum read_standard_spectrum(const std::string& path) {
-  std::ifstream file(path);
-  std::string line;
-  if (!file || !std::getline(file, line)) throw InputError(path + ": cannot be read");
+  std::ifstream file(path, std::ios::binary);
+  const std::string text(std::istreambuf_iterator<char>(file), {});
+  if (!file.is_open() || file.bad()) throw InputError(path + ": cannot be read");
   StandardSpectrum spectrum;
-  for (int number = 2; std::getline(file, line); ++number) {
-    double w, above, global, direct;
-    if (std::sscanf(line.c_str(), "%lf,%lf,%lf,%lf", &w, &above, &global, &direct) != 4)
-      throw InputError(path + ":" + std::to_string(number) + ": expected four numbers");
-    spectrum.wavelengths.push_back(w);
-    spectrum.above.push_back(above);
-    spectrum.direct.push_back(direct);
+  for (const CsvRow& row : parse_csv(text, path, "wavelength [nm],above the air,global,direct")) {
+    spectrum.wavelengths.push_back(row.values[0]);
+    spectrum.above.push_back(row.values[1]);
+    spectrum.direct.push_back(row.values[3]);
   }
   return spectrum;
 }

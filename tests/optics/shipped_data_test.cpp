@@ -41,6 +41,29 @@ TEST(Csv, reads_headings_comments_blank_lines_and_carriage_returns) {
   EXPECT_EQ(table.values, (std::vector<double>{1e-3, 2}));
 }
 
+TEST(Csv, a_first_line_of_numbers_is_no_heading) {
+  const auto first = [](const char* text) {
+    return parse_spectrum_csv(text, "a.csv", Sampling::point).wavelengths.front();
+  };
+  EXPECT_EQ(first("400,1\n500,2\n"), 400);
+  EXPECT_EQ(first("\xEF\xBB\xBF"
+                  "400,1\n500,2\n"),
+            400)
+      << "after a byte order mark";
+  EXPECT_EQ(first("# by hand\nnm,value\n400,1\n"), 400) << "a heading after a comment";
+}
+
+TEST(Csv, without_rows_is_refused) {
+  for (const char* text : {"", "nm,value\n", "# nothing\n\n"}) {
+    try {
+      parse_spectrum_csv(text, "a.csv", Sampling::point);
+      ADD_FAILURE() << text;
+    } catch (const InputError& error) {
+      EXPECT_STREQ(error.what(), "a.csv: holds no rows; expected lines of 2 numbers, \"wavelength [nm],value\"");
+    }
+  }
+}
+
 TEST(Csv, names_file_and_line_of_what_is_no_number) {
   for (const char* line : {"500", "500,", "500,x", "500,1,2", ",1", "nm,value"}) {
     try {
