@@ -22,7 +22,10 @@ struct Lattice {
 /// Sun for less, as a root of their radius, and dusk is shorter.
 FN Scalar precomputed_nightfall(IN(Air) air) { return 0.42 * min(1.0, sqrt(6.4e6 / air.ground_radius)); }
 /// Place of a zenith cosine of the Sun among the lattice's [1]. Suns crowd at the horizon, where -ln of light turns from a steep slope to a
-/// gentle one: between two of them it goes straight.
+/// gentle one: between two of them it goes straight. On either side the place is a multiple of a / (a + k), which is steep where the sine a of
+/// the Sun's height is below k and flat beyond: k is 0.3 by day, 10/7 of `nightfall` (0.6 on Earth) below the horizon. The horizon is at 0.55
+/// of the way; what is left on each side must end at 1 and 0, where a is 1 and `nightfall`: so the multiples are 0.45 (1 + 0.3) = 0.585 and
+/// 0.55 (1 + 10/7) = 1.3357.
 /// @param mu_s [1] in -1..1
 FN Float precomputed_sun_place(IN(Air) air, Float mu_s) {
   Scalar last = precomputed_nightfall(air);

@@ -90,11 +90,26 @@ FN Float precomputed_sinh(Float x) {
   return 0.5 * (size - 1.0 / size);
 }
 
+/// How far from the edge of the planet's shadow the Sun shines on a ray with much light [m]: where it passes the ground at a twelfth of the air's
+/// height. At the edge itself, as umbra_along has it, all its light is lost on the way.
+/// @param at [1] in -1..1  as of meet_air
+/// @param edge [m] in 0..1e5  path to the edge
+/// @param onward [1] in -1..1  1: the light is behind the edge, -1: before it
+/// @bound 1 scale 1e30   a place for panels, compared as part of the passes
+FN Float precomputed_dawn(IN(Air) air, Vec4 at, Float edge, Float onward) {
+  Scalar height = 0.08 * air.top_altitude + air.sun_radius * sqrt(2.0 * air.top_altitude * (air.ground_radius + air.top_altitude));
+  // The distance from the shadow's axis grows with a slope and a curvature.
+  Float slope = max(onward * ((air.ground_radius + at.x) * (at.y - at.z * at.w) + edge * (1.0 - at.w) * (1.0 + at.w)) * (1.0 / air.ground_radius), 0.0);
+  Float bend = max((1.0 - at.w) * (1.0 + at.w) - slope * slope, 0.0) * (2.0 * height / air.ground_radius);
+  return 2.0 * height / max(slope + sqrt(slope * slope + bend), 1.0e-6);
+}
+
 /// How the panels of a piece of a ray lie: x: path [m] at which the air that is seen is densest, around which they crowd; y: how fast light and air
-/// change there [m]; z: the first panel's begin as inverse_sinh((path - x) / y), w: what all panels stride in it. `at` as of meet_air.
-FN Vec4 precomputed_piece(IN(Air) air, Table2 layers, Vec4 at, Float begin, Float end) {
+/// change there [m]; z: the first panel's begin as inverse_sinh((path - x) / y), w: what all panels stride in it. `at` as of meet_air; `dawn` and
+/// `dusk`: the path [m] between which there is light to see; `crowd`: how much the panels do.
+FN Vec4 precomputed_piece(IN(Air) air, Table2 layers, Vec4 at, Float begin, Float end, Float dawn, Float dusk, Float crowd) {
   Float along = (air.ground_radius + at.x) * at.y;
-  Float centre = clamp(-along, begin, end);
+  Float centre = clamp(-along, dawn, dusk);
   Float altitude = max(altitude_along(air.ground_radius, at.x, at.y, centre), 0.0);
   Vec4 dense = lookup_row(layers, precomputed_layer(air, altitude), 0);
   Scalar higher = air.top_altitude * (1.0 / 64.0);
@@ -106,10 +121,12 @@ FN Vec4 precomputed_piece(IN(Air) air, Table2 layers, Vec4 at, Float begin, Floa
   Float slope = abs(along + centre) / (air.ground_radius + altitude) * fall;
   Float rate = slope + sqrt(fall * (0.5 / air.ground_radius));
   Float passed = extinction * min(centre - begin, 1.0 / rate);
-  rate = rate + extinction * exp(-passed);
   // What lies behind an optical depth of one is hardly seen: panels crowd before it.
   Float behind = ln(max(passed, 1.0));
   centre = max(centre - 2.0 * behind / (slope + sqrt(slope * slope + behind * fall * (2.0 / air.ground_radius)) + 1.0e-20), begin);
+  // There the air is thinner: without another look, panels in haze would be far too long.
+  if (any(passed > 1.0)) extinction = dot(lookup_row(layers, precomputed_layer(air, max(altitude_along(air.ground_radius, at.x, at.y, centre), 0.0)), 0), ones);
+  rate = (rate + extinction * exp(-extinction * min(centre - begin, 1.0 / rate))) * crowd;
   Float scale = 1.0 / rate;
   Float first = precomputed_inverse_sinh((begin - centre) * rate);
   Float last = precomputed_inverse_sinh((end - centre) * rate);
@@ -157,12 +174,12 @@ FN Vec4 precomputed_ground(IN(Air) air, Table2 ground_light, Vec4 at, Float reac
   return exp(-lookup_row(ground_light, precomputed_sun_place(air, mu_s), 0)) * Vec4(air.albedo) * 0.318309886183791;
 }
 
-/// Panels of a ray, and those of them for a piece in the planet's shadow, where light of the first order is missing [1]: a third, or, where
+/// Panels of a ray, and those of them for a piece in the planet's shadow, where light of the first order is missing [1]: half, or, where
 /// nothing but depth is asked of it, none.
 /// @param panels [1] in 3..64
 /// @param all [1] in 0..1  orders are asked for, not the first alone
 /// @bound 1 scale 1   whole numbers
-FN Vec2 precomputed_panels(Float panels, Bool all) { return Vec2(panels, select(all, floor(panels * 0.333334), Float(0.0))); }
+FN Vec2 precomputed_panels(Float panels, Bool all) { return Vec2(panels, select(all, floor(panels * 0.5), Float(0.0))); }
 
 /// Optical depth between two places of a ray [1], from that to space: looking from the lower one where the ray goes down. `from`, `to`: as `at`
 /// of meet_air.
@@ -193,12 +210,17 @@ FN_SHARED Vec4 precomputed_march(IN(Air) air, IN(Lattice) lattice, int orders, V
   light_again = select(shaded, light_again, reach);
   Bool begins_lit = dark > 0.0;
   Bool ends_lit = light_again < reach;
-  Vec4 piece0 = precomputed_piece(air, layers, at, Float(0.0), dark);
+  // Sunlight is looked up at all points of a panel and needs panels further away as well; what is sent, at their ends alone.
+  Float crowd = select(panels.y > 0.5, Float(1.0), Float(0.65));
+  Float dusk = dark;
+  if (any(shaded)) dusk = select(shaded, max(dark - precomputed_dawn(air, at, dark, Float(-1.0)), 0.0), dark);
+  Vec4 piece0 = precomputed_piece(air, layers, at, Float(0.0), dark, Float(0.0), dusk, crowd);
   Vec4 piece1 = piece0;
   Vec4 piece2 = piece0;
   if (any(shaded)) {
-    piece1 = precomputed_piece(air, layers, at, dark, light_again);
-    piece2 = precomputed_piece(air, layers, at, light_again, reach);
+    Float dawn = min(light_again + precomputed_dawn(air, at, light_again, Float(1.0)), reach);
+    piece1 = precomputed_piece(air, layers, at, dark, light_again, dark, light_again, crowd);
+    piece2 = precomputed_piece(air, layers, at, light_again, reach, dawn, reach, crowd);
   }
   // Two lit pieces share panels as their strides are: where the shadow is but touched, one may be next to nothing.
   Float lit = select(shaded, panels.x - panels.y, panels.x);

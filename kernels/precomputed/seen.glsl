@@ -43,7 +43,10 @@ FN Float precomputed_seen_row(IN(Air) air, IN(Sight) sight, Float altitude, Floa
   Float steep = select(altitude < 0.01, -mu, altitude / max(distance_to_ground(air.ground_radius, altitude, mu), 0.01));
   Float grazing = sqrt(altitude / (2.0 * air.ground_radius + altitude));
   Float down = (steep - grazing) / max(1.0 - grazing, 1.0e-3);
-  Float part = sqrt(clamp(select(hits, down, select(mu < 0.0, limb, up)), 0.0, 1.0));
+  up = clamp(up, 0.0, 1.0);
+  down = clamp(down, 0.0, 1.0);
+  Float part = sqrt(select(mu < 0.0, clamp(limb, 0.0, 1.0), up / (2.0 - up)));
+  part = select(hits, 1.0 - sqrt(0.04 * (1.0 - down) / (down + 0.04)), part);
   Float last = select(hits, Float(sight.grounds - 1.0), select(mu < 0.0, Float(sight.limbs - 1.0), Float(sight.ups - 1.0)));
   return part * last + select(hits, Float(sight.ups + sight.limbs), select(mu < 0.0, Float(sight.ups), Float(0.0)));
 }
@@ -61,8 +64,8 @@ FN Float precomputed_seen_mu(IN(Air) air, IN(Sight) sight, Float altitude, Float
   Bool hits = row > sight.ups + sight.limbs - 0.5;
   Float part = select(hits, (row - sight.ups - sight.limbs) * (1.0 / (sight.grounds - 1.0)), select(past, (row - sight.ups) * (1.0 / (sight.limbs - 1.0)), row * (1.0 / (sight.ups - 1.0))));
   part = clamp(part, 0.0, 1.0);
-  part = part * part;
-  Float path = max(mix(ahead, sqrt(gap_above), part), 1.0);
+  part = select(hits, 0.04 * part * (2.0 - part) / (1.04 - part * (2.0 - part)), part * part);
+  Float path = max(mix(ahead, sqrt(gap_above), 2.0 * part / (1.0 + part)), 1.0);
   // Straight up and straight down are exact: an angle whose cosine is off by the last bit is off by 0.03 degrees.
   Float up = select(part > 0.0, clamp((gap_above - path * path) / (2.0 * radius * path), 0.0, 1.0), Float(1.0));
   Float limb = (part - 1.0) * sqrt(gap_below) / radius;
@@ -77,14 +80,16 @@ FN Float precomputed_seen_mu(IN(Air) air, IN(Sight) sight, Float altitude, Float
 
 /// A ray of the tables: where it begins, as meet_air says, its path, and how far it looks away from the Sun.
 /// @param uvw [1] in 0..1
+/// @param hits [1] in 0..1  the ground
 /// @param reach [m]
 /// @param away [1]  one minus the cosine of the angle between ray and Sun
 /// @bound 1 scale 1e30   as precomputed_seen_row
-FN Vec4 precomputed_seen_ray(IN(Air) air, IN(Sight) sight, Vec3 uvw, OUT(Float) reach, OUT(Float) away) {
+FN Vec4 precomputed_seen_ray(IN(Air) air, IN(Sight) sight, Vec3 uvw, OUT(Bool) hits, OUT(Float) reach, OUT(Float) away) {
   Scalar rows = sight.ups + sight.limbs + sight.grounds;
   Float row = floor(uvw.y * rows * sight.altitudes);
   Float band = floor((row + 0.5) * (1.0 / rows));
   Float altitude = precomputed_level_altitude(air, band * (1.0 / (sight.altitudes - 1.0)));
+  hits = row - band * rows > sight.ups + sight.limbs - 0.5;
   Float mu = precomputed_seen_mu(air, sight, altitude, row - band * rows, reach);
   Float mu_s = precomputed_sun(air, from_half_texel(uvw.x, sight.suns));
   Float half_sine = from_half_texel(uvw.z, sight.azimuths);
@@ -109,11 +114,17 @@ FN int precomputed_sharpest(IN(Air) air, Table2 phases) {
   return sharpest;
 }
 
+/// Mean transmittance of a path in even air, (1 - exp(-depth)) / depth, nearly: its Pade approximant [1/2]. What the air adds to a ray is the
+/// sum of its source times this, so that the tables need only know what is not even about it.
+/// @param depth [1] in 0..100
+FN Vec4 precomputed_mean_transmittance(Vec4 depth) { return (depth + 6.0) / (depth * (depth + 4.0) + 6.0); }
+
 /// The table `seen`.
 FN Vec4 precomputed_seen_pass(IN(Air) air, IN(Lattice) lattice, IN(Sight) sight, Table2 phases, Table2 layers, Table2 optical_depth, Table2 sunlit, Table3 source, Vec3 uvw) {
   Float reach = Float(0.0);
   Float away = Float(0.0);
-  Vec4 at = precomputed_seen_ray(air, sight, uvw, reach, away);
+  Bool hits = reach > 1.0;
+  Vec4 at = precomputed_seen_ray(air, sight, uvw, hits, reach, away);
   Vec4 phase0 = Vec4(0.0);
   Vec4 phase1 = Vec4(0.0);
   Vec4 phase2 = Vec4(0.0);
@@ -128,14 +139,15 @@ FN Vec4 precomputed_seen_pass(IN(Air) air, IN(Lattice) lattice, IN(Sight) sight,
   Vec4 depth = Vec4(0.0);
   int orders = 2;
   if (sight.marched < 0.5) orders = 3;
-  Vec4 first = precomputed_march(air, lattice, orders, Vec2(Float(16.0), Float(5.0)), 16, layers, optical_depth, sunlit, source, phase0, phase1, phase2, phase3, at, reach, again, depth);
-  return -ln4(max((first + again) * (1.0 / reach), 1.0e-30));
+  Vec4 first = precomputed_march(air, lattice, orders, Vec2(Float(16.0), Float(8.0)), 16, layers, optical_depth, sunlit, source, phase0, phase1, phase2, phase3, at, reach, again, depth);
+  return -ln4(max((first + again) / (select(hits, precomputed_mean_transmittance(depth), Vec4(1.0)) * reach), 1.0e-30));
 }
 /// The table `seen_peak`.
 FN Vec4 precomputed_seen_peak_pass(IN(Air) air, IN(Lattice) lattice, IN(Sight) sight, Table2 phases, Table2 layers, Table2 optical_depth, Table2 sunlit, Table3 source, Vec3 uvw) {
   Float reach = Float(0.0);
   Float away = Float(0.0);
-  Vec4 at = precomputed_seen_ray(air, sight, uvw, reach, away);
+  Bool hits = reach > 1.0;
+  Vec4 at = precomputed_seen_ray(air, sight, uvw, hits, reach, away);
   int sharpest = precomputed_sharpest(air, phases);
   Vec4 phase0 = Vec4(0.0);
   Vec4 phase1 = Vec4(0.0);
@@ -148,7 +160,7 @@ FN Vec4 precomputed_seen_peak_pass(IN(Air) air, IN(Lattice) lattice, IN(Sight) s
   Vec4 again = Vec4(0.0);
   Vec4 depth = Vec4(0.0);
   Vec4 first = precomputed_march(air, lattice, 1, Vec2(Float(16.0), Float(0.0)), 16, layers, optical_depth, sunlit, source, phase0, phase1, phase2, phase3, at, reach, again, depth);
-  return -ln4(max(first * (1.0 / reach), 1.0e-30));
+  return -ln4(max(first / (select(hits, precomputed_mean_transmittance(depth), Vec4(1.0)) * reach), 1.0e-30));
 }
 
 /// A whole ray's place in these tables, between two bands; how far it is from the lower to the upper [1]. `at` as of meet_air.
@@ -168,7 +180,9 @@ FN Float precomputed_seen_place(IN(Air) air, IN(Sight) sight, Vec4 at, Bool hits
   Float half_sine = sqrt(clamp(0.5 - 0.5 * cosine, 0.0, 1.0));
   lower = Vec3(half_texel(precomputed_sun_place(air, at.z), sight.suns), (band * rows + row) * v, half_texel(half_sine, sight.azimuths));
   upper = Vec3(lower.x, lower.y + rows * v, lower.z);
-  return height - band;
+  // Between two bands light goes as altitude does, but for rays down: as the way to the horizon.
+  Float part = height - band;
+  return select(at.y < 0.0, part, part * (height + band) / (2.0 * band + 1.0));
 }
 
 /// What one of these tables holds there, per path. What it has not been told is darkness.
@@ -178,13 +192,13 @@ FN Vec4 precomputed_seen_light(Table3 seen, Vec3 lower, Vec3 upper, Float higher
 
 /// What these tables tell of a whole ray, per solar irradiance [1/sr]: all that is not marched. `at` as of meet_air; `phase` of the class with
 /// the sharpest peak.
-FN Vec4 precomputed_seen(IN(Air) air, IN(Sight) sight, Table3 seen, Table3 seen_peak, Vec4 phase, Vec4 at, Bool hits, Float path) {
+FN Vec4 precomputed_seen(IN(Air) air, IN(Sight) sight, Table3 seen, Table3 seen_peak, Vec4 phase, Vec4 at, Bool hits, Float path, Vec4 depth) {
   Vec3 lower = Vec3(Float(0.0), Float(0.0), Float(0.0));
   Vec3 upper = lower;
   Float higher = precomputed_seen_place(air, sight, at, hits, lower, upper);
   Vec4 light = precomputed_seen_light(seen, lower, upper, higher);
   if (sight.marched < 0.5) light = light + precomputed_seen_light(seen_peak, lower, upper, higher) * phase;
-  return light * path;
+  return light * select(hits, precomputed_mean_transmittance(depth), Vec4(1.0)) * path;
 }
 
 /// Light of a ray's segment, so that it and the rest of the ray are the whole: what marching the segment and looking up the rest differ by from
@@ -211,11 +225,12 @@ FN_SHARED Vec4 precomputed_ray_light(IN(Air) air, IN(Lattice) lattice, IN(Sight)
   Bool down = at.y < mu_horizon(air.ground_radius, at.x);
   Vec4 peak = Vec4(0.0);
   if (sight.marched < 0.5) peak = lookup_row(phases, sqrt(max(0.5 * away, 0.0)), precomputed_sharpest(air, phases));
-  Vec4 again = precomputed_seen(air, sight, seen, seen_peak, peak, at, down, whole);
   Vec4 light = Vec4(0.0);
   Vec4 depth = Vec4(0.0);
-  if (sight.marched < 0.5) depth = precomputed_depth_between(air, optical_depth, at, precomputed_along(air, at, reach));
+  Vec4 marched = Vec4(0.0);
+  Vec4 whole_depth = Vec4(0.0);
   Bool ends = reach < whole;
+  if (sight.marched < 0.5 || any(ends)) whole_depth = precomputed_depth_between(air, optical_depth, at, precomputed_along(air, at, whole));
   if (sight.marched > 0.5 || any(ends)) {
     // The source is looked up at the ends of panels alone: it wants more of them than sunlight does.
     int orders = 1;
@@ -229,20 +244,19 @@ FN_SHARED Vec4 precomputed_ray_light(IN(Air) air, IN(Lattice) lattice, IN(Sight)
     Vec4 phase2 = Vec4(0.0);
     Vec4 phase3 = Vec4(0.0);
     precomputed_phases(air, phases, away, phase0, phase1, phase2, phase3);
-    Vec4 again_marched = Vec4(0.0);
-    Vec4 depth_marched = Vec4(0.0);
-    Vec4 light_marched = precomputed_march(air, lattice, orders, precomputed_panels(select(ends, Float(2.0 * panels), Float(panels)), ends), most, layers, optical_depth, sunlit, source, phase0, phase1, phase2, phase3, at, reach, again_marched, depth_marched);
-    if (any(ends)) {
-      Vec4 marched = again_marched;
-      if (sight.marched < 0.5) marched = marched + light_marched;
-      Vec4 rest = precomputed_seen(air, sight, seen, seen_peak, peak, precomputed_along(air, at, reach), down, max(whole - reach, 0.0)) * exp(-depth_marched);
-      again = select(ends, precomputed_segment(marched, rest, again), again);
-      depth = select(ends, depth_marched, depth);
+    light = precomputed_march(air, lattice, orders, precomputed_panels(select(ends, Float(2.0 * panels), Float(panels)), ends), most, layers, optical_depth, sunlit, source, phase0, phase1, phase2, phase3, at, reach, marched, depth);
+    if (sight.marched < 0.5) {
+      marched = marched + light;
+      light = Vec4(0.0);
     }
-    if (sight.marched > 0.5) {
-      light = light_marched;
-      depth = depth_marched;
-    }
+  }
+  // What is marched knows its depth better than the table does.
+  if (sight.marched > 0.5) whole_depth = select(ends, whole_depth, depth);
+  depth = select(ends, depth, whole_depth);
+  Vec4 again = precomputed_seen(air, sight, seen, seen_peak, peak, at, down, whole, whole_depth);
+  if (any(ends)) {
+    Vec4 rest = precomputed_seen(air, sight, seen, seen_peak, peak, precomputed_along(air, at, reach), down, max(whole - reach, 0.0), max(whole_depth - depth, 0.0)) * exp(-depth);
+    again = select(ends, precomputed_segment(marched, rest, again), again);
   }
   ground = Vec4(0.0);
   if (any(hits)) {

@@ -30,7 +30,7 @@ Sizes sizes(const Situation& situation) {
     return {24, 10, 8, 4, 8, 5, {28, 12, 14, 12, 8, 5}};
   // There are two of the tables of what is seen where nothing is marched: smaller ones, so that all stay below 64 MiB.
   const Sizes::Seen seen =
-      from_tables(situation) ? Sizes::Seen{64, 32, 24, 20, 12, 10} : Sizes::Seen{64, 40, 24, 20, 12, 14};
+      from_tables(situation) ? Sizes::Seen{64, 32, 24, 20, 12, 10} : Sizes::Seen{64, 40, 24, 20, 14, 14};
   return {64, 24, 24, 10, 20, 10, seen};
 }
 
