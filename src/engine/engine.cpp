@@ -9,7 +9,7 @@
 #include "airlight/error.h"
 #include "engine/cpu/cpu_engine.h"
 #include "engine/kernel_index.h"
-#include "engine/kernel_version.h"
+#include "engine/source_version.h"
 #include "engine/stage.h"
 #include "engine/table_file.h"
 #ifdef AIRLIGHT_HAS_GL
@@ -68,24 +68,10 @@ std::uint64_t numbered(std::uint64_t key, std::size_t i) {
   return hash.value();
 }
 
-}  // namespace
-
-std::uint64_t kernel_version() {
-  static const std::uint64_t version = [] {
-    Hash hash;
-    for (const KernelGroup& group : kernel_groups())
-      for (const KernelSource* source : group.sources) hash.add(source->text);
-    return hash.value();
-  }();
-  return version;
-}
-
-namespace {
-
 TableFile table_file(const std::string& folder, std::string_view what, std::string_view engine, std::uint64_t key) {
   Hash hash;
   hash.add(key);
-  hash.add(kernel_version());
+  hash.add(source_version());
   hash.add(engine);
   char digits[17];
   std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(hash.value()));
