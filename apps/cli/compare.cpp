@@ -263,9 +263,9 @@ void write_pictures(const CompareOptions& options, const PictureFormat& format, 
     const BytePicture map = difference_map(r, differences(r, results.front()), counted, scale);
     write_png(path + "_difference.png", map, r.metadata);
     sheet.push_back({map,
-                     {fmt::format("{} against {}: median {} %, 95 % within {} %", r.model, results.front().model,
-                                  percent(r.error.median), percent(r.error.most)),
-                      fmt::format("full red: {0:.0f} % brighter, full blue: {0:.0f} % darker", 100 * scale)}});
+                     {fmt::format("against {}: median {} %", results.front().model, percent(r.error.median)),
+                      fmt::format("95 % of pixels within {} %", percent(r.error.most)),
+                      fmt::format("full red, blue: {:.0f} % brighter, darker", 100 * scale)}});
   }
   // The yardstick by itself, then a model and its difference in each row.
   std::vector<LabelledPicture> pairs;

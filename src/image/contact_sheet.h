@@ -20,7 +20,8 @@ struct LabelledPicture {
   std::vector<std::string> lines;
 };
 
-/// Row after row of `columns` pictures. @throws WorkError where no font can be found.
+/// Row after row of `columns` pictures, at the top left of cells wide enough to read what stands below: longer lines are wrapped.
+/// @throws WorkError where no font can be found.
 BytePicture contact_sheet(std::span<const LabelledPicture> pictures, int columns);
 
 /// Appears when it is whole. @throws InputError, WorkError as OutputFile does.

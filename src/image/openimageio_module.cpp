@@ -58,14 +58,26 @@ extern "C" std::vector<unsigned char> airlight_encode_picture(const WholePicture
   return file;
 }
 
+namespace {
+
+/// Where Debian's package fonts-dejavu-core puts it; elsewhere OpenImageIO searches for the name.
+std::string font() {
+  const std::string debian = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
+  return OIIO::Filesystem::exists(debian) ? debian : "DejaVuSans";
+}
+
+}  // namespace
+
+extern "C" int airlight_text_width(int size, const std::string& text) {
+  const OIIO::ROI box = OIIO::ImageBufAlgo::text_size(text, size, font());
+  return box.defined() ? box.xend : 0;
+}
+
 extern "C" void airlight_draw_text(std::span<std::uint8_t> rgb, int width, int height, int x, int y, int size,
                                    const std::string& text) {
   OIIO::ImageBuf picture(OIIO::ImageSpec(width, height, 3, OIIO::TypeDesc::UINT8), rgb.data());
-  // Where Debian's package fonts-dejavu-core puts it; elsewhere OpenImageIO searches for the name.
-  const std::string debian = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
-  const std::string font = OIIO::Filesystem::exists(debian) ? debian : "DejaVuSans";
   constexpr float white[] = {0.95f, 0.95f, 0.95f};
-  if (!OIIO::ImageBufAlgo::render_text(picture, x, y, text, size, font, white))
+  if (!OIIO::ImageBufAlgo::render_text(picture, x, y, text, size, font(), white))
     throw WorkError("cannot draw words (the font DejaVu Sans is in the package fonts-dejavu-core): " +
                     picture.geterror());
 }

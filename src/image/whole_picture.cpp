@@ -16,4 +16,10 @@ DrawText& draw_text() {
   return *function;
 }
 
+TextWidth& text_width() {
+  static TextWidth* const function = reinterpret_cast<TextWidth*>(
+      load_from_module("airlight_openimageio", text_width_symbol, "words in pictures need OpenImageIO"));
+  return *function;
+}
+
 }  // namespace airlight

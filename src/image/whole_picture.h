@@ -29,8 +29,13 @@ using DrawText = void(std::span<std::uint8_t> rgb, int width, int height, int x,
                       const std::string& text);
 inline constexpr char draw_text_symbol[] = "airlight_draw_text";
 
+/// How far words reach to the right of their start [pixels].
+using TextWidth = int(int size, const std::string& text);
+inline constexpr char text_width_symbol[] = "airlight_text_width";
+
 /// The module's functions. @throws WorkError where the module cannot be loaded.
 EncodePicture& encode_picture();
 DrawText& draw_text();
+TextWidth& text_width();
 
 }  // namespace airlight
