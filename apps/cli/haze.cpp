@@ -13,6 +13,7 @@
 #include "haze_options.h"
 #include "interrupt.h"
 #include "lens.h"
+#include "model_options.h"
 #include "number.h"
 #include "picture_outputs.h"
 #include "progress.h"
@@ -20,6 +21,7 @@
 #include "render/haze_picture.h"
 #include "render/scene_renderer.h"
 #include "scenefile/scene_file.h"
+#include "shaded_air.h"
 
 namespace airlight::cli {
 namespace {
@@ -40,6 +42,7 @@ struct Surroundings {
   std::string model;
   std::optional<std::array<double, 3>> eye;  // in the file's axes and unit
   std::optional<AirShadows> shadows;
+  std::optional<bool> asked_shadows;
   std::vector<LightOverLand> more_lights;
 };
 
@@ -135,8 +138,9 @@ Surroundings scene_surroundings(const HazeOptions& options, const InputPicture& 
   s.sun.distance = sun.distance;
   const Direction to_sun = direction(sun.azimuth, sun.elevation);
   s.settings.sun = placed.from_scene(to_sun);
+  s.asked_shadows = options.no_air_shadows ? false : scene.picture.air_shadows;
   const auto shadows = [&](const Direction& towards, double angular_radius) -> std::optional<AirShadows> {
-    if (!scene.has_land || !scene.picture.air_shadows || options.no_air_shadows) return {};
+    if (!scene.has_land || s.asked_shadows == false) return {};
     ShadowGrid grid;
     grid.east = placed.eye[0];
     grid.north = placed.eye[1];
@@ -191,7 +195,6 @@ int run_haze(const HazeOptions& options) {
   Surroundings s = options.scene.empty() ? plain_surroundings(options, picture) : scene_surroundings(options, picture);
   s.settings.fill_sky = options.fill_sky();
   s.settings.sun_disc = !options.no_sun;
-  s.settings.shadows = s.shadows ? &*s.shadows : nullptr;
   check_kind(meaning.kind, s.view.camera);
   if (const auto eye = options.eye_position()) s.eye = eye;
   if (meaning.kind == DepthKind::position && !s.eye)
@@ -205,11 +208,14 @@ int run_haze(const HazeOptions& options) {
     return Sky(std::move(air), options.model.empty() ? s.model : options.model, engine);
   };
   const Sky sky = sky_of(s.air.sun);
+  const bool shaded = s.shadows && shades_air(sky, s.settings.altitude, s.asked_shadows);
+  if (s.shadows && !shaded) tell_warnings({unshaded_note(sky)});
+  s.settings.shadows = shaded ? &*s.shadows : nullptr;
   std::vector<Sky> more_skies;
   for (const LightOverLand& more : s.more_lights) more_skies.push_back(sky_of(more.light.source));
   for (std::size_t i = 0; i < more_skies.size(); ++i) {
     const LightOverLand& more = s.more_lights[i];
-    s.settings.more_lights.push_back({&more_skies[i], more.direction, more.shadows ? &*more.shadows : nullptr});
+    s.settings.more_lights.push_back({&more_skies[i], more.direction, shaded ? &*more.shadows : nullptr});
   }
 
   std::vector<float> distance = input.read_distance(meaning, s.view, bad_is_sky);

@@ -69,7 +69,7 @@ void paint_spectrum(const RenderOptions& options, const Scene& scene, const std:
 int run_render(const RenderOptions& options) {
   const auto started = std::chrono::steady_clock::now();
   const std::vector<double> wavelengths = picture_wavelengths(options.wavelengths);
-  const std::vector<Layer> layers = options.picture.layers();
+  const std::vector<Layer> layers = options.picture.layers(options.outputs);
   const std::optional<int> frame = frame_of(options);
   Scene scene = scene_of(options, frame);
   options.picture.apply(scene);
@@ -77,7 +77,7 @@ int run_render(const RenderOptions& options) {
   // Everything that can be wrong is found before a file is touched.
   const auto land = std::make_shared<const Land>(scene.land);
   const SceneShot shot(scene, land, engine_named(options.picture.engine), !options.picture.no_sun);
-  tell_warnings(shot.sky());
+  tell_warnings(shot.warnings());
   const std::string engine = describe(shot.sky().engine());
   Metadata metadata = shot.metadata();
   metadata.push_back({"engine", engine});

@@ -14,6 +14,7 @@
 #include "number.h"
 #include "optics/colour.h"
 #include "parameter_pictures.h"
+#include "shaded_air.h"
 
 namespace airlight::cli {
 namespace {
@@ -79,27 +80,11 @@ bool draws_sky_alone(const Scene& scene) {
   return true;
 }
 
-/// Says so before the land's triangles are made where a model cannot shade the air: it is asked for one point.
-/// @param altitude  of the eye [m], to the bit as the renderer has it: the tables are made for both
-const Sky& able_to_shade(const Sky& sky, const Scene& scene, const PlacedCamera& camera, double altitude,
-                         const SunPlace& sun) {
-  if (!scene.picture.air_shadows) return sky;
-  constexpr float underground = -1e6f;
-  const AirShadows none{.width = 2, .height = 2, .edges = std::make_shared<std::vector<float>>(8, underground)};
-  const Sight point{.view = {0, 0, 1}, .distance = 1};
-  if (model_info(sky.model()).colours)
-    throw InputError(fmt::format("model {}: cannot shade the air; expected picture.air_shadows = false", sky.model()));
-  const auto wavelengths = sky.realtime_wavelengths();
-  std::array<double, 4> inscatter, transmittance;
-  sky.haze(altitude, camera.from_scene(sun.direction()), {&point, 1}, wavelengths, &none, inscatter, transmittance);
-  return sky;
-}
-
-SceneOptions scene_options(const Scene& scene, bool sun_disc, const std::vector<double>& wavelengths) {
+SceneOptions scene_options(const Scene& scene, bool shaded, bool sun_disc, const std::vector<double>& wavelengths) {
   SceneOptions how;
   how.wavelengths = wavelengths;
   how.samples = scene.picture.samples;
-  how.air_shadows = scene.picture.air_shadows;
+  how.air_shadows = shaded;
   how.soft_shadows = scene.picture.soft_shadows;
   how.sun_disc = sun_disc;
   how.triangle_pixels = scene.detail;
@@ -135,7 +120,9 @@ void ScenePictureOptions::add_to(const Verb& verb) {
               "position,normal,albedo,sun_visibility,sky_irradiance; and spectral, the first three at each of the four "
               "wavelengths")
       .type_name("LIST");
-  verb.option("--model", model, "model of the sky (shadows in the air need skyview)").group(instead).type_name("NAME");
+  verb.option("--model", model, "model of the sky (skyview alone has shadows in the air)")
+      .group(instead)
+      .type_name("NAME");
   own.add_to(verb);
   verb.flag("--no-air-shadows", no_air_shadows, "land casts no shadows into the air").group(instead);
   add_picture_to(verb);
@@ -145,12 +132,10 @@ void ScenePictureOptions::apply(Scene& scene) const {
   constexpr Interval legal_size{1, 16'384, "pixels"};
   Camera& camera = scene.camera.camera;
   if (!size.empty()) {
-    const std::size_t cross = size.find('x');
+    const Size wanted = parse_size(size, "--size", legal_size);
     const double shape = double(camera.height) / camera.width;
-    camera.width = parse_whole(std::string_view(size).substr(0, cross), "--size", legal_size);
-    camera.height = cross == std::string::npos
-                        ? std::max(1, static_cast<int>(std::lround(camera.width * shape)))
-                        : parse_whole(std::string_view(size).substr(cross + 1), "--size", legal_size);
+    camera.width = wanted.width;
+    camera.height = wanted.height.value_or(std::max(1, int(std::lround(camera.width * shape))));
   }
   if (samples) scene.picture.samples = *samples;
   if (no_air_shadows) scene.picture.air_shadows = false;
@@ -164,10 +149,18 @@ void ScenePictureOptions::apply(Scene& scene) const {
   if (accumulate) cli::accumulate(scene, *accumulate);
 }
 
-std::vector<Layer> ScenePictureOptions::layers() const {
+std::vector<Layer> ScenePictureOptions::layers(const std::vector<std::string>& outputs) const {
+  std::vector<Layer> chosen = named_layers();
+  if (!chosen.empty() && std::ranges::none_of(outputs, [](const std::string& name) { return name.ends_with(".exr"); }))
+    throw InputError("--aov: layers go into an .exr; expected one after -o");
+  return chosen;
+}
+
+std::vector<Layer> ScenePictureOptions::named_layers() const {
   if (aov.empty()) return {};
-  std::vector<std::string_view> names;
-  for (const Layer& layer : all_layers()) names.push_back(layer.name);
+  std::vector<std::string_view> names{"all"};
+  for (const Layer& layer : all_layers())
+    if (layer.name != names.back()) names.push_back(layer.name);
   std::vector<Layer> chosen;
   const auto add = [&](const auto& wanted) {
     std::ranges::copy_if(all_layers(), std::back_inserter(chosen), wanted, &Layer::name);
@@ -183,7 +176,7 @@ std::vector<Layer> ScenePictureOptions::layers() const {
 }
 
 PictureFormat ScenePictureOptions::format(const Scene& scene) const {
-  const std::vector<Layer> extra = layers();
+  const std::vector<Layer> extra = named_layers();
   const auto given = scene.parameters.find(scene.picture.model);
   const auto display = own_display(scene.picture.model, given == scene.parameters.end() ? Parameters{} : given->second);
   std::string ev = exposure, curve = scene.picture.tone;
@@ -203,15 +196,18 @@ SceneShot::SceneShot(const Scene& scene, std::shared_ptr<const Land> land, std::
       more_lights_(lit_skies(scene.lights, scene.air, land->origin(), sky_, engine)),
       placed_(place_camera(scene.camera, *land)),
       sun_disc_(sun_disc),
+      has_land_(scene.has_land),
+      asked_shadows_(scene.picture.air_shadows),
       width_(placed_.camera.width),
       height_(scene.camera.camera.height),
       samples_(scene.picture.samples) {
   if (!draws_sky_alone(scene)) {
+    // Said before the land's triangles are made.
+    shaded_ = shades_air(sky_, land->frame().altitude(placed_.eye), asked_shadows_);
     SceneView view{placed_, sun_.direction()};
     for (const LitSky& more : more_lights_) view.more_lights.push_back({&more.sky, more.direction()});
-    renderer_ =
-        std::make_unique<SceneRenderer>(able_to_shade(sky_, scene, placed_, land->frame().altitude(placed_.eye), sun_),
-                                        land, scene.surface, view, scene_options(scene, sun_disc, wavelengths));
+    renderer_ = std::make_unique<SceneRenderer>(sky_, land, scene.surface, view,
+                                                scene_options(scene, shaded_, sun_disc, wavelengths));
     width_ = renderer_->width();
   }
   metadata_ = {{"Software", version()},
@@ -220,13 +216,19 @@ SceneShot::SceneShot(const Scene& scene, std::shared_ptr<const Land> land, std::
                {"model", std::string(sky_.model())},
                {"units", "cd m-2, linear sRGB primaries; channels of a wavelength W m-2 sr-1 nm-1"},
                {"samples a pixel", double(samples_)},
-               {"shadows in the air", scene.picture.air_shadows ? "single scattering" : "none"},
+               {"shadows in the air", shaded_ ? "single scattering" : "none"},
                {"camera altitude [m]", land->frame().altitude(placed_.eye)},
                {"camera azimuth [degrees]", placed_.camera.azimuth / degree},
                {"camera elevation [degrees]", placed_.camera.elevation / degree},
                {"field of view [degrees]", placed_.camera.field_of_view / degree}};
   sun_.describe(metadata_);
   describe(more_lights_, metadata_);
+}
+
+std::vector<std::string> SceneShot::warnings() const {
+  std::vector<std::string> all = sky_.warnings();
+  if (renderer_ && has_land_ && !shaded_ && !asked_shadows_) all.push_back(unshaded_note(sky_));
+  return all;
 }
 
 bool SceneShot::rows(const std::function<bool(int end, std::span<const float> rgb)>& take) const {

@@ -38,9 +38,14 @@ struct ScenePictureOptions {
   void add_picture_to(const Verb& verb);
   /// @throws InputError
   void apply(Scene& scene) const;
-  std::vector<Layer> layers() const;  ///< @throws InputError with "did you mean"
+  /// @param outputs  one of them at least is an .exr, if there are layers
+  /// @throws InputError, with "did you mean"
+  std::vector<Layer> layers(const std::vector<std::string>& outputs) const;
   /// How the picture is written. @throws InputError
   PictureFormat format(const Scene& scene) const;
+
+ private:
+  std::vector<Layer> named_layers() const;
 };
 
 /// One picture of a scene, made ready: all that can be wrong with the scene has been said.
@@ -59,6 +64,8 @@ class SceneShot {
   int height() const { return height_; }
   const SunPlace& sun() const { return sun_; }
   const Sky& sky() const { return sky_; }
+  /// What the model has to say of its parameters, and of shadows that are left out.
+  std::vector<std::string> warnings() const;
   int samples() const { return samples_; }
   /// All but the engine: threads and processor are no part of a picture.
   const Metadata& metadata() const { return metadata_; }
@@ -81,7 +88,9 @@ class SceneShot {
   std::vector<LitSky> more_lights_;
   std::unique_ptr<SceneRenderer> renderer_;  // none: a published system draws the sky
   PlacedCamera placed_;
-  bool sun_disc_;
+  bool sun_disc_, has_land_;
+  std::optional<bool> asked_shadows_;  // in the air
+  bool shaded_ = false;
   int width_, height_, samples_;
   Metadata metadata_;
 

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <map>
 #include <memory>
+#include <set>
 
 #include "airlight/error.h"
 #include "blended_frames.h"
@@ -89,7 +90,7 @@ class Sequence {
       : options_(options),
         range_(parse_frames(options.frames)),
         outputs_(options.outputs),
-        layers_(options.picture.layers()),
+        layers_(options.picture.layers(options.outputs)),
         animation_(load_animation(options.scene, options.frames_per_second)),
         engine_(engine_named(options.picture.engine)) {
     if (!options.from.empty()) {
@@ -227,7 +228,8 @@ class Sequence {
     if (std::ranges::all_of(names, [&](const std::string& name) { return is_made(name, digest); })) return false;
 
     const SceneShot shot(scene, land_of(scene), engine_, !options_.picture.no_sun);
-    if (number == range_.first) tell_warnings(shot.sky());
+    for (const std::string& warning : shot.warnings())
+      if (told_.insert(warning).second) tell_warnings({warning});
     Metadata metadata = shot.metadata();
     metadata.push_back({"engine", std::string(engine_->name())});
     metadata.push_back({"frame", double(number)});
@@ -283,6 +285,7 @@ class Sequence {
   std::optional<double> exposure_ev_;
   std::map<std::string, std::string> contents_;
   BlendedFrames blended_;
+  std::set<std::string> told_;  // of warnings
 };
 
 }  // namespace

@@ -97,12 +97,16 @@ class Sky {
   void evaluate(Quantity quantity, std::span<const Ray> rays, std::span<const double> wavelengths,
                 std::span<double> out, int max_order = 0) const;
 
+  /// Whether the model can shade the air with land's shadows for an observer: haze() may then be given them.
+  /// @param altitude  [m]. @throws InputError for one below half of the planet's radius, or not finite
+  bool shades_air(double altitude) const;
+
   /// The air before N points of one observer's view, at W wavelengths: what a picture with depth needs. Lit by one Sun; land may shade
   /// it. Light of higher orders is not shaded: it comes from all sides.
   /// @param shadows        none: all lit
   /// @param inscatter      N x W [W m^-2 sr^-1 nm^-1], as path_radiance; where a distance is infinite, as radiance
   /// @param transmittance  N x W [1]
-  /// @throws InputError naming the point and the value, and where a model cannot shade the air
+  /// @throws InputError naming the point and the value, and for shadows where shades_air() says no
   void haze(double altitude, Direction sun, std::span<const Sight> points, std::span<const double> wavelengths,
             const AirShadows* shadows, std::span<double> inscatter, std::span<double> transmittance) const;
 

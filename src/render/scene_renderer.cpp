@@ -13,6 +13,7 @@
 #include "optics/number_text.h"
 #include "render/air_light.h"
 #include "render/air_shadows.h"
+#include "render/ground_light.h"
 #include "render/light_disc.h"
 #include "scene/sky_view.h"
 #include "sky/camera.h"
@@ -428,7 +429,7 @@ struct SceneRenderer::Impl {
     s.questions.clear();
     for (std::size_t j = 0; j < which.size(); ++j) {
       const TerrainHit& hit = s.hits[which[j]];
-      if (visibility[j] > 0) s.questions.push_back({hit.position, hit.normal});
+      if (visibility[j] > 0) s.questions.push_back(terrain.sun_question(hit));
     }
     s.answers.resize(s.questions.size());
     terrain.sun_visibility(s.questions, light.direction, options.soft_shadows ? light.radius : 0.0, s.answers);
@@ -459,7 +460,8 @@ struct SceneRenderer::Impl {
       p.sun_visibility = above > 0 ? std::clamp(double(visibility[j]) / above, 0.0, 1.0) : 0.0;
       p.sky_view = hit.mesh ? sky_seen(hit.ground) : 1.0;
     });
-    light.sky->surface(s.points, std::clamp(light.at_eye[2], -1.0, 1.0), wavelengths, s.albedo, surface, skylight);
+    ground_light(*light.sky, s.points, std::clamp(light.at_eye[2], -1.0, 1.0), wavelengths, s.albedo, surface,
+                 skylight);
   }
 
   // Means over the samples of each pixel.

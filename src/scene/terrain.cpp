@@ -209,6 +209,23 @@ struct Terrain::Impl {
     return triangle;
   }
 
+  // Above a triangle as far as the planes through its corners, normal to their normals, are: on round slopes outside of it, in hollows
+  // on it (Hanika 2021, Hacking the Shadow Terminator, Ray Tracing Gems II, chapter 4).
+  SunQuestion sun_question(const TerrainHit& hit) const {
+    SunQuestion question{hit.position, hit.shading_normal};
+    if (!hit.mesh) return question;
+    const TerrainTriangle t = triangle(hit);
+    constexpr std::size_t side = TileMesh::grid_side;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const std::size_t place = t.numbers[c] % (side * side);
+      const std::array<float, 3> n = mesh.normal(hit.tile, double(place % side) - 1, double(place / side) - 1);
+      double below = 0;
+      for (std::size_t k = 0; k < 3; ++k) below += (t.corners[c][k] - hit.position[k]) * double(n[k]);
+      for (std::size_t k = 0; k < 3; ++k) question.position[k] += t.weights[c] * std::max(below, 0.0) * double(n[k]);
+    }
+    return question;
+  }
+
   /// Clears `valid` of those points whose ray towards a direction is blocked.
   void shadow(std::span<const SunQuestion> points, const Direction (&towards)[packet], int (&valid)[packet]) const {
     alignas(64) RTCRay16 p;
@@ -406,6 +423,8 @@ void Terrain::hits(std::span<const SceneRay> rays, std::span<TerrainHit> hits) c
 }
 
 TerrainTriangle Terrain::triangle(const TerrainHit& hit) const { return impl_->triangle(hit); }
+
+SunQuestion Terrain::sun_question(const TerrainHit& hit) const { return impl_->sun_question(hit); }
 
 void Terrain::sun_visibility(std::span<const SunQuestion> points, Direction sun, double angular_radius,
                              std::span<float> fraction) const {

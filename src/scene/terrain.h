@@ -50,7 +50,7 @@ struct TerrainTriangle {
 /// A point of the ground that asks how much of the sun it sees.
 struct SunQuestion {
   Position position;
-  std::array<float, 3> normal;  ///< of the triangle
+  std::array<float, 3> normal;  ///< of the surface; what it faces away from it does not see
 };
 
 class Terrain {
@@ -73,6 +73,11 @@ class Terrain {
 
   /// @param hit  of this terrain's mesh
   TerrainTriangle triangle(const TerrainHit& hit) const;
+
+  /// A hit as it asks for the sun: from the smooth surface that the triangles stand for, which their shading has. Asked from the triangles
+  /// themselves, those beyond the edge of day on a round slope are dark and their neighbours are not: the edge is a saw.
+  /// @param hit  of this terrain
+  SunQuestion sun_question(const TerrainHit& hit) const;
 
   /// Fraction of the sun's disc in [0, 1] that terrain leaves free, on all cores: two rays tell whole sun or none;
   /// where limbs differ, the height of the horizon across the disc is found by bisection and taken as level.

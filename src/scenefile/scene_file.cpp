@@ -278,7 +278,7 @@ ScenePicture read_picture(TableReader reader) {
   ScenePicture p;
   p.samples = whole(reader, "samples", {1, 256}, p.samples);
   p.soft_shadows = reader.flag("soft_shadows", p.soft_shadows);
-  p.air_shadows = reader.flag("air_shadows", p.air_shadows);
+  if (reader.has("air_shadows")) p.air_shadows = reader.flag("air_shadows", false);
   if (reader.has("model")) p.model = reader.text("model");
   if (const toml::node* exposure = reader.find("exposure");
       exposure && !(exposure->is_string() && reader.text("exposure") == "auto")) {

@@ -18,9 +18,9 @@ namespace airlight {
 
 /// How the picture is made and written.
 struct ScenePicture {
-  int samples = 1;           ///< rays a pixel
-  bool soft_shadows = true;  ///< by the sun's size
-  bool air_shadows = true;   ///< mountains cut the light out of the haze
+  int samples = 1;                  ///< rays a pixel
+  bool soft_shadows = true;         ///< by the sun's size
+  std::optional<bool> air_shadows;  ///< mountains cut the light out of the haze; none: where the model can
   std::string model = "skyview";
   std::optional<double> exposure_ev;  ///< of a .png [EV]; none: automatic
   std::string tone;  ///< filmic, reinhard, clip or codeflow; empty: filmic, or a published system's own

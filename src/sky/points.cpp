@@ -62,12 +62,16 @@ const Table& Sky::Impl::cast(const AirShadows& shadows, double datum) {
   return last_cast.table;
 }
 
+bool Sky::Impl::shades_air(double altitude) const {
+  const std::string_view pass = haze_pass(altitude);
+  return !pass.empty() && takes(kernel_pass(pass), "shadow");
+}
+
 void Sky::Impl::haze(double altitude, const Direction& sun, std::span<const Sight> points,
                      std::span<const double> wavelengths, const AirShadows* shadows, std::span<double> inscatter,
                      std::span<double> transmittance) {
-  const Situation s = situation(altitude, datum_for(altitude));
-  const std::string_view pass = model->haze(s);
-  if (shadows && (pass.empty() || !takes(kernel_pass(pass), "shadow"))) {
+  const std::string_view pass = haze_pass(altitude);
+  if (shadows && !shades_air(altitude)) {
     throw InputError("model " + std::string(model->name) + " cannot shade the air for an observer at " +
                      number_text(altitude) + " m: expected a lower one, or no shadows in the air");
   }
@@ -94,7 +98,7 @@ void Sky::Impl::haze(double altitude, const Direction& sun, std::span<const Sigh
     const Run& run = runs[r];
     const Stage stage(*engine, r, runs.size());
     Binder b = binder(*model, run.quad, altitude);
-    b.set("observer", observer_fields(sun, s.altitude));
+    b.set("observer", observer_fields(sun, altitude - datum));
     b.set("sun_direction", sun_direction_fields(sun));
     b.set("shadow", Fields{{"across", {map.across.begin(), map.across.end()}},
                            {"along", {map.along.begin(), map.along.end()}},
@@ -191,17 +195,25 @@ void Sky::Impl::march_haze(double altitude, const Direction& sun, std::span<cons
                            std::span<const double> wavelengths, std::span<double> inscatter,
                            std::span<double> transmittance) {
   std::vector<Ray> rays;
-  std::vector<std::size_t> which;
+  // A point on the ground sphere is where a ray's own ground is, give or take a rounding: its light is the caller's, and air alone is asked.
+  std::vector<std::size_t> all, ends, open;
   for (const Sight& p : points) {
-    which.push_back(rays.size());
+    all.push_back(rays.size());
+    (std::isinf(p.distance) ? open : ends).push_back(rays.size());
     rays.push_back({altitude, unit(p.view), sun, p.distance});
   }
   if (model->colours) check_answerable(*model, Quantity::transmittance, rays);
   const auto into = [W = answers_for(*model, wavelengths)](std::span<double> out) {
     return [W, out](std::size_t ray, std::size_t w, double value) { out[ray * W + w] = value; };
   };
-  answer(Quantity::radiance, rays, which, wavelengths, *model, into(inscatter));
-  answer(Quantity::transmittance, rays, which, wavelengths, *model, into(transmittance));
+  if (!ends.empty()) answer(Quantity::path_radiance, rays, ends, wavelengths, *model, into(inscatter));
+  if (!open.empty()) answer(Quantity::radiance, rays, open, wavelengths, *model, into(inscatter));
+  answer(Quantity::transmittance, rays, all, wavelengths, *model, into(transmittance));
+}
+
+bool Sky::shades_air(double altitude) const {
+  check_altitude(altitude, impl_->atmosphere.planet.ground_radius, {nullptr, "altitude"});
+  return impl_->shades_air(altitude);
 }
 
 void Sky::haze(double altitude, Direction sun, std::span<const Sight> points, std::span<const double> wavelengths,

@@ -117,6 +117,9 @@ struct Sky::Impl {
   } last_cast;
   const Table& cast(const AirShadows& shadows, double datum);
 
+  /// The pass that answers for points in view; empty: its rays are marched.
+  std::string_view haze_pass(double altitude) const { return model->haze(situation(altitude, datum_for(altitude))); }
+  bool shades_air(double altitude) const;
   void haze(double altitude, const Direction& sun, std::span<const Sight> points, std::span<const double> wavelengths,
             const AirShadows* shadows, std::span<double> inscatter, std::span<double> transmittance);
   void march_haze(double altitude, const Direction& sun, std::span<const Sight> points,

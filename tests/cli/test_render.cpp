@@ -153,6 +153,35 @@ values = [30, 50]
   EXPECT_NE(read_picture(folder / "first.exr").rgb, read_picture(folder / "frame.exr").rgb);
 }
 
+// Land casts shadows into the air where the model can make them: left out with a word where nothing was asked, refused where they were.
+TEST(Render, shadows_in_the_air_are_left_out_where_they_cannot_be) {
+  const Folder folder;
+  const std::string space = mountains("altitude = 400000\nelevation = -90");
+  write_file(folder / "ground.toml", scene_text);
+  write_file(folder / "space.toml", space);
+  write_file(folder / "asked.toml", space + "[picture]\nair_shadows = true\n");
+  const std::string note = "warning: land casts no shadows into the air";
+  const auto says = [&](std::vector<std::string> words, const char* output = "a.exr") {
+    words.insert(words.end(), {"-o", output});
+    const Outcome outcome = run(folder, words);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    return outcome.err;
+  };
+  EXPECT_EQ(says({"render", "ground.toml"}).find(note), std::string::npos);
+  EXPECT_NE(says({"render", "ground.toml", "--model", "single"}).find(note), std::string::npos);
+  EXPECT_EQ(says({"render", "space.toml", "--no-air-shadows"}).find(note), std::string::npos);
+  EXPECT_NE(says({"render", "space.toml", "--aov", "depth"}).find(note), std::string::npos);
+  EXPECT_NE(
+      says({"haze", "--scene", "space.toml", "--color", "a.exr", "--depth-kind", "distance"}, "hazed.exr").find(note),
+      std::string::npos);
+  const Outcome refused = run(folder, {"render", "asked.toml", "-o", "b.exr"});
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_NE(refused.err.find("model skyview: cannot shade the air for an observer at 400000 m; expected "
+                             "picture.air_shadows = false"),
+            std::string::npos)
+      << refused.err;
+}
+
 TEST(Render, bad_words_are_named_and_nothing_is_written) {
   const Folder folder;
   write_file(folder / "scene.toml", scene_text);
@@ -160,11 +189,12 @@ TEST(Render, bad_words_are_named_and_nothing_is_written) {
     std::vector<std::string> words;
     const char* says;
   } cases[] = {{{"render", "none.toml", "-o", "a.png"}, "none.toml"},
-               {{"render", "scene.toml", "-o", "a.png", "--aov", "depht"}, "did you mean depth"},
+               {{"render", "scene.toml", "-o", "a.exr", "--aov", "depht"}, "did you mean depth"},
+               {{"render", "scene.toml", "-o", "a.exr", "--aov", "x"}, "expected one of all, surface, "},
+               {{"render", "scene.toml", "-o", "a.png", "--aov", "depth"}, "--aov: layers go into an .exr"},
                {{"render", "scene.toml", "-o", "a.png", "--samples", "3"}, "samples = 3"},
                {{"render", "scene.toml", "-o", "a.png", "--size", "0"}, "--size"},
                {{"render", "scene.toml", "-o", "a.png", "--model", "skyveiw"}, "did you mean skyview"},
-               {{"render", "scene.toml", "-o", "a.png", "--model", "single"}, "cannot shade"},
                {{"render", "scene.toml", "-o", "a.txt"}, ".txt"},
                {{"render", "scene.toml", "-o", "a.png", "-o", "a.png"}, "named twice"},
                {{"render", "scene.toml", "-o", "a.png", "--frame", "-1"}, "--frame = -1: expected 0 .. "},

@@ -5,6 +5,7 @@
 
 #include "airlight/error.h"
 #include "scenes.h"
+#include "sky/channel_colours.h"
 
 namespace airlight::test {
 namespace {
@@ -104,6 +105,47 @@ TEST_F(Layers, a_number_of_samples_that_is_no_square_is_refused) {
   SceneOptions odd;
   odd.samples = 3;
   EXPECT_THROW(SceneRenderer(sky, land, {}, view, odd), InputError);
+}
+
+// Half of the planet lies in the night, and from space is seen to: ground has the skylight of its own Sun, not of the eye's.
+TEST(Layers_from_space, ground_is_lit_by_its_own_sky) {
+  const Sky sky(built_in_atmosphere("earth"), "skyview");
+  const auto land = plain();
+  SceneCamera camera;
+  camera.camera = {.projection = Projection::perspective,
+                   .width = 32,
+                   .height = 32,
+                   .elevation = -90 * deg,
+                   .field_of_view = 30 * deg};
+  camera.altitude = 2e7;
+  const Direction sun = direction(90 * deg, 20 * deg);
+  SceneOptions options;
+  options.air_shadows = false;
+  const SceneRows rows = whole(SceneRenderer(sky, land, {}, {place_camera(camera, *land), sun}, options));
+  const std::array<double, 4> quad = sky.realtime_wavelengths();
+  const ChannelColours weights = srgb_weights(sky.atmosphere(), quad);
+  int day = 0, night = 0;
+  for (std::size_t p = 0; p < rows.depth.size(); ++p) {
+    if (!std::isfinite(rows.depth[p])) continue;
+    const Direction up = land->frame().up({rows.position[3 * p], rows.position[3 * p + 1], rows.position[3 * p + 2]});
+    const double mu_s = up[0] * sun[0] + up[1] * sun[1] + up[2] * sun[2];
+    const Ray ray{.sun = {std::sqrt(1 - mu_s * mu_s), 0, mu_s}};
+    double skylight[4], green = 0;
+    sky.evaluate(Quantity::sky_irradiance, {&ray, 1}, quad, skylight);
+    for (std::size_t k = 0; k < 4; ++k) green += weights[k][1] * skylight[k];
+    const bool lit = mu_s > std::sin(3 * deg), dark = mu_s < std::sin(-20 * deg);
+    if (lit) {
+      // Within what Suns 1.5 degrees apart leave between them.
+      EXPECT_NEAR(rows.sky_irradiance[3 * p + 1], green, 0.02 * green) << std::asin(mu_s) / deg;
+    }
+    if (dark) {
+      EXPECT_LT(rows.sky_irradiance[3 * p + 1], 1);  // [lx]; the eye's own sky would give thousands
+    }
+    day += lit;
+    night += dark;
+  }
+  EXPECT_GT(night, 50);
+  EXPECT_GT(day, 300);
 }
 
 }  // namespace

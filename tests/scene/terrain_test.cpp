@@ -259,6 +259,41 @@ TEST(Terrain, the_sun_sets_behind_a_ridge_over_its_own_width) {
   EXPECT_EQ(fraction, 0);
 }
 
+// On a dome all ground that faces the sun sees it. Its triangles do not: the edge of day runs along some and past their neighbours.
+TEST(Terrain, the_edge_of_day_on_a_dome_is_no_saw) {
+  const Scratch scratch;
+  write_raster(scratch.path("dome.tif"), {.width = 240, .height = 240}, [](double x, double y, int) {
+    return 1500 - (std::pow(30 * (x - 120), 2) + std::pow(30 * (y - 120), 2)) / 6000;
+  });
+  LandSettings settings;
+  settings.files = {{.file = scratch.path("dome.tif"), .cell_size = 30}};
+  const auto land = std::make_shared<Land>(settings);
+  const Position eye = land->frame().position({0, 0, 8000});
+  const Terrain terrain(land, coarse(eye, 0.01));
+  std::vector<SceneRay> rays;
+  for (int y = -60; y <= 60; ++y)
+    for (int x = -60; x <= 60; ++x) {
+      const double length = std::sqrt(x * x * 1e-5 + y * y * 1e-5 + 1);
+      rays.push_back({eye, {x * std::sqrt(1e-5) / length, y * std::sqrt(1e-5) / length, -1 / length}});
+    }
+  std::vector<TerrainHit> hits(rays.size());
+  terrain.hits(rays, hits);
+  const Direction sun = towards(pi / 2, 15 * degree);
+  int lit = 0, dark_triangles = 0;
+  for (const TerrainHit& hit : hits) {
+    const auto cosine = [&](const std::array<float, 3>& n) { return n[0] * sun[0] + n[1] * sun[1] + n[2] * sun[2]; };
+    if (std::hypot(hit.ground.east, hit.ground.north) > 2000 || cosine(hit.shading_normal) < 0.002) continue;
+    const SunQuestion smooth = terrain.sun_question(hit);
+    float visible = 0;
+    terrain.sun_visibility({&smooth, 1}, sun, 0, {&visible, 1});
+    EXPECT_EQ(visible, 1) << hit.ground.east << ' ' << hit.ground.north;
+    ++lit;
+    dark_triangles += cosine(hit.normal) <= 0;
+  }
+  EXPECT_GT(lit, 3000);
+  EXPECT_GT(dark_triangles, 5) << "the triangles are too fine to show anything";
+}
+
 TEST(Terrain, mesh_keeps_to_its_bounds_and_to_the_pixel) {
   const auto land = range(90'000);
   const Position eye = land->frame().position({0, -20'000, 3500});

@@ -124,7 +124,7 @@ TEST(BadAtmospheres, get_file_line_key_value_and_range) {
        {"air.toml:6: ", "sun.irradiance.file = \"solar_iradiance.csv\": no such file beside air.toml",
         "solar_irradiance.csv"}},
       {6, "irradiance = { file = \"/\" }", {"expected a regular file"}},
-      {6, "irradiance = { file = \"cie_1931_2deg.csv\" }", {"cie_1931_2deg.csv:2: ", "expected two numbers"}},
+      {6, "irradiance = { file = \"cie_1931_2deg.csv\" }", {"cie_1931_2deg.csv:2: ", "expected 2 numbers"}},
       {6,
        "irradiance = { file = \"solar_irradiance.csv\", sampling = \"points\" }",
        {"air.toml:6: ", "sun.irradiance.sampling = \"points\"; did you mean point?"}},

@@ -97,13 +97,14 @@ air_shadows = false
   EXPECT_EQ(scene.picture.samples, 9);
   EXPECT_EQ(scene.picture.exposure_ev, -12.5);
   EXPECT_EQ(scene.picture.tone, "reinhard");
-  EXPECT_FALSE(scene.picture.air_shadows);
+  EXPECT_EQ(scene.picture.air_shadows, false);
 }
 
 TEST(SceneFile, least_that_is_a_scene) {
   const Scene scene = parse_scene("[camera]\n[sun]\nelevation = 10\n", "s.toml");
   EXPECT_EQ(scene.air, built_in_atmosphere("earth"));
   EXPECT_EQ(scene.camera.camera.projection, Projection::perspective);
+  EXPECT_FALSE(scene.picture.air_shadows.has_value());
   EXPECT_EQ(scene.camera.height_above_ground, 2);
   EXPECT_FALSE(scene.has_land);
   EXPECT_FALSE(scene.picture.exposure_ev);

@@ -80,6 +80,41 @@ TEST(haze, the_tables_agree_with_marched_rays) {
   }
 }
 
+// Marched rays that end on the ground sphere, give or take a rounding, bring the air's light alone: that of the ground is the caller's.
+// Rays without an end bring all there is.
+TEST(haze, of_marched_rays_leaves_the_ground_out) {
+  constexpr double altitude = 400'000, radius = 6.371e6;
+  const Direction sun = direction(0.5, 20 * deg);
+  for (const char* model : {"single", "skyview"}) {
+    Atmosphere air = built_in_atmosphere("earth");
+    air.planet.ground_radius = radius;
+    const Sky sky(air, model);
+    std::vector<Sight> points;
+    std::vector<Ray> rays;
+    for (int i = 0; i < 64; ++i) {
+      const Direction view = direction(0.1 * i, -(30 + 0.9 * i) * deg);
+      const double along = -(radius + altitude) * view[2];
+      const double ground = along - std::sqrt(along * along - altitude * (2 * radius + altitude));
+      for (const double distance : {ground, ground * (1 + 1e-6), std::numeric_limits<double>::infinity()}) {
+        points.push_back({view, distance});
+        rays.push_back({altitude, view, sun, distance});
+      }
+    }
+    const Haze h = haze(sky, altitude, sun, points);
+    std::vector<double> path(h.inscatter.size()), whole(h.inscatter.size());
+    sky.evaluate(Quantity::path_radiance, rays, wavelengths, path);
+    sky.evaluate(Quantity::radiance, rays, wavelengths, whole);
+    for (std::size_t i = 0; i < path.size(); ++i) {
+      const bool ends = std::isfinite(points[i / wavelengths.size()].distance);
+      // The same kernel, lane for lane but for the place among lanes.
+      EXPECT_NEAR(h.inscatter[i] / (ends ? path[i] : whole[i]), 1, 1e-5) << model << ' ' << i;
+      if (!ends) {
+        EXPECT_GT(whole[i], 1.03 * path[i]);
+      }
+    }
+  }
+}
+
 // One cell is as good as many: shadow everywhere, or nowhere.
 AirShadows everywhere(float dark_below) {
   std::vector<float> edges;
@@ -158,6 +193,16 @@ TEST(haze, the_sky_behind_is_that_of_the_picture) {
   std::vector<double> light(points.size() * 4);
   sky.evaluate(Quantity::radiance, rays, wavelengths, light);
   for (std::size_t i = 0; i < light.size(); ++i) EXPECT_NEAR(h.inscatter[i], light[i], 0.02 * light[i]) << i / 4;
+}
+
+TEST(haze, shadows_are_for_eyes_low_in_the_air) {
+  const Sky sky(built_in_atmosphere("earth"), "skyview");
+  EXPECT_TRUE(sky.shades_air(-400));
+  EXPECT_TRUE(sky.shades_air(12'000));
+  EXPECT_FALSE(sky.shades_air(400'000));
+  EXPECT_FALSE(Sky(built_in_atmosphere("earth"), "single").shades_air(0));
+  EXPECT_FALSE(Sky(built_in_atmosphere("earth"), "hoffman_preetham").shades_air(0));
+  EXPECT_THROW(sky.shades_air(std::nan("")), InputError);
 }
 
 TEST(haze, bad_questions_are_named) {
