@@ -24,16 +24,16 @@ inline std::size_t edit_distance(std::string_view from, std::string_view to) {
   return row.back();
 }
 
-/// "; did you mean X?" with the nearest known name, or "; expected one of A, B, C" where none is near.
-/// @param known  any range of names
+/// The known name that a wrong one was probably meant to be: a slip of the finger away, or the only one that begins like it; empty: none.
+/// @param known  any range of names, which live longer than the answer
 template <typename Names>
-std::string did_you_mean(std::string_view wrong, const Names& known) {
-  std::string_view nearest;
+std::string_view nearest_name(std::string_view wrong, const Names& known) {
+  std::string_view nearest, longer;
   // A third of the letters may be wrong, but not all: enough for slips of the finger, too little to turn "mars" into "earth".
   std::size_t best = std::min(wrong.size() / 3 + 1, std::max<std::size_t>(wrong.size(), 1) - 1);
-  std::string all;
+  int begin_so = 0;
   for (const std::string_view name : known) {
-    all += (all.empty() ? "" : ", ") + std::string(name);
+    if (wrong.size() >= 3 && name.starts_with(wrong)) longer = name, ++begin_so;
     // Words of very different length cannot be near; this also bounds the work on hostile input.
     if (wrong.size() > name.size() + best || name.size() > wrong.size() + best) continue;
     const std::size_t distance = edit_distance(wrong, name);
@@ -42,7 +42,16 @@ std::string did_you_mean(std::string_view wrong, const Names& known) {
       nearest = name;
     }
   }
-  if (!nearest.empty()) return "; did you mean " + std::string(nearest) + "?";
+  return nearest.empty() && begin_so == 1 ? longer : nearest;
+}
+
+/// "; did you mean X?" with the nearest known name, or "; expected one of A, B, C" where none is near.
+template <typename Names>
+std::string did_you_mean(std::string_view wrong, const Names& known) {
+  if (const std::string_view nearest = nearest_name(wrong, known); !nearest.empty())
+    return "; did you mean " + std::string(nearest) + "?";
+  std::string all;
+  for (const std::string_view name : known) all += (all.empty() ? "" : ", ") + std::string(name);
   return "; expected one of " + all;
 }
 

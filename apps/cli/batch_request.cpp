@@ -6,9 +6,9 @@
 #include <limits>
 
 #include "airlight/error.h"
-#include "airlight/model_info.h"
 #include "batch_plane_parallel.h"
 #include "json_line.h"
+#include "model_of_sky.h"
 #include "number.h"
 #include "reference_request.h"
 
@@ -63,13 +63,6 @@ void expect_increasing(const std::vector<double>& wavelengths) {
                       i, wavelengths[i], wavelengths[i - 1]));
 }
 
-/// A published system that answers in red, green and blue; else nullptr.
-const ColourModel* colours_of(const std::string& model) {
-  for (const ModelInfo& info : models())
-    if (info.name == model) return info.colours;
-  return nullptr;
-}
-
 /// The keys of models that have an atmosphere.
 void read_in_air(Fields& fields, Topic& topic, Ray& ray) {
   topic.atmosphere = fields.text("atmosphere", topic.atmosphere);
@@ -78,7 +71,8 @@ void read_in_air(Fields& fields, Topic& topic, Ray& ray) {
   ray.sun = read_direction(fields, "sun", topic.asked->spectral != Quantity::transmittance);
   if (const json* const distance = fields.find("distance"); distance && !distance->is_null())
     ray.distance = fields.number("distance", {0, highest_altitude, "m (or null)"});
-  const ColourModel* const colours = topic.asked->photometric ? nullptr : colours_of(topic.model);
+  const std::optional<ModelInfo> info = model_of_sky(topic.model);
+  const ColourModel* const colours = info && !topic.asked->photometric ? info->colours : nullptr;
   topic.wavelengths = read_wavelengths(fields, !topic.asked->photometric && !colours);
   if (colours && topic.wavelengths.empty()) topic.wavelengths = colours->wavelengths;
   topic.max_order = read_order(fields);

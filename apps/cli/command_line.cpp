@@ -3,9 +3,11 @@
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 
 #include "commands.h"
+#include "did_you_mean.h"
 
 namespace airlight::cli {
 
@@ -64,6 +66,33 @@ void Verb::runs(Command command) const {
   app_->callback([command = std::move(command), chosen = chosen_] { *chosen = command; });
 }
 
+namespace {
+
+std::string probably(const std::string& wrong, const std::vector<std::string>& known) {
+  const std::string_view nearest = nearest_name(wrong, known);
+  return nearest.empty() ? "" : fmt::format("; did you mean {}?", nearest);
+}
+
+/// What is wrong with words that nothing takes.
+std::string about_extras(const CLI::App& program, const CLI::App* verb, const std::vector<std::string>& extras) {
+  const auto option = std::ranges::find_if(extras, [](const std::string& word) { return word.starts_with('-'); });
+  const std::string& word = option == extras.end() ? extras.front() : *option;
+  std::vector<std::string> known;
+  if (!verb) {
+    if (option != extras.end()) return fmt::format("{}: unknown option; a command comes first", word);
+    for (const CLI::App* other : program.get_subcommands({})) known.push_back(other->get_name());
+    return fmt::format("{}: unknown command{}", word, probably(word, known));
+  }
+  if (option == extras.end())
+    return fmt::format("'{}': one word more than expected (a value with a space in it needs quotes)", word);
+  for (const CLI::Option* other : verb->get_options())
+    for (const std::string& name : other->get_lnames()) known.push_back("--" + name);
+  const std::string name = word.substr(0, word.find('='));
+  return fmt::format("{}: unknown option{}", name, probably(name, known));
+}
+
+}  // namespace
+
 CommandLine::CommandLine(const std::string& program, const std::string& about, const std::string& version,
                          const std::string& footer)
     : app_(std::make_unique<CLI::App>(about, program)), footer_(footer) {
@@ -80,10 +109,25 @@ Verb CommandLine::verb(const std::string& name, const std::string& about) {
 
 int CommandLine::run(int argc, char** argv) {
   app_->footer(footer_);  // after all verbs were made, which would inherit it
+  std::vector<std::string> words(argv + 1, argv + argc);
+  if (!words.empty() && words.front() == "help") {  // airlight help sky
+    words.erase(words.begin());
+    words.resize(std::min(words.size(), std::size_t{1}));
+    words.emplace_back("--help");
+  }
+  std::ranges::reverse(words);  // as CLI11 takes them
   try {
-    app_->parse(argc, argv);
+    app_->parse(words);
+  } catch (const CLI::Success& done) {
+    return app_->exit(done);
   } catch (const CLI::ParseError& error) {
-    return app_->exit(error) == 0 ? ok : bad_input;
+    const auto verbs = app_->get_subcommands();
+    const CLI::App* const verb = verbs.empty() ? nullptr : verbs.front();
+    const std::vector<std::string> extras = app_->remaining(true);
+    const std::string name = verb ? app_->get_name() + ' ' + verb->get_name() : app_->get_name();
+    fmt::print(stderr, "{}: {}\n`{} --help` lists all {}.\n", name,
+               extras.empty() ? error.what() : about_extras(*app_, verb, extras), name, verb ? "options" : "commands");
+    return bad_input;
   }
   if (chosen_) return chosen_();
   std::fputs(app_->help().c_str(), stderr);

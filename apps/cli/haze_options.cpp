@@ -160,7 +160,8 @@ void HazeOptions::add_to(const Verb& verb) {
               "of a .png: auto, or EV, by which 1 cd/m2 is brightened by 2^EV [EV, -100 .. 100] (default auto)")
       .group(output)
       .type_name("EV");
-  verb.option("--tone", tone, "tone curve of a .png: filmic, reinhard (default filmic)")
+  verb.option("--tone", tone,
+              "tone curve of a .png: filmic, reinhard, clip, codeflow, sqrt, exponential (default filmic)")
       .group(output)
       .type_name("NAME");
   verb.flag("--float", full_float, "32-bit .exr in place of half floats, which end at 65504 cd/m2").group(output);

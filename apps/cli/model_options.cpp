@@ -41,8 +41,8 @@ std::string parameter_text(const ParameterValue& value) {
   return text;
 }
 
-void tell_warnings(const Sky& sky) {
-  for (const std::string& warning : sky.warnings()) fmt::print(stderr, "warning: {}\n", warning);
+void tell_warnings(const std::vector<std::string>& warnings) {
+  for (const std::string& warning : warnings) fmt::print(stderr, "warning: {}\n", warning);
 }
 
 void ModelOptions::add_to(const Verb& verb) {

@@ -16,8 +16,8 @@ ParameterValue parse_parameter(std::string_view text);
 /// The same, back.
 std::string parameter_text(const ParameterValue& value);
 
-/// On standard error: what the model has to say of its parameters.
-void tell_warnings(const Sky& sky);
+/// On standard error: what a model has to say of its parameters.
+void tell_warnings(const std::vector<std::string>& warnings);
 
 struct ModelOptions {
   std::string preset;

@@ -42,6 +42,15 @@ int parse_whole(std::string_view text, std::string_view name, const Interval& in
   return static_cast<int>(value);
 }
 
+Size parse_size(std::string_view text, std::string_view name, const Interval& interval) {
+  if (text.find_first_not_of("0123456789+-.eExX") != std::string_view::npos)
+    throw InputError(fmt::format("{} = {}: {} a side, WIDTHxHEIGHT or one number", name, text, expected(interval)));
+  const std::size_t cross = text.find_first_of("xX");
+  Size size{parse_whole(text.substr(0, cross), name, interval), {}};
+  if (cross != std::string_view::npos) size.height = parse_whole(text.substr(cross + 1), name, interval);
+  return size;
+}
+
 void check_number(double value, std::string_view name, const Interval& interval) {
   if (!(value >= interval.low && value <= interval.high))
     throw InputError(fmt::format("{} = {}: {}", name, value, expected(interval)));

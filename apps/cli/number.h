@@ -1,5 +1,6 @@
 // Numbers from outside: finite and inside a stated range, which the message names with its unit.
 #pragma once
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -22,6 +23,13 @@ std::string expected(const Interval& interval);
 double parse_number(std::string_view text, std::string_view name, const Interval& interval);
 /// The same for whole numbers.
 int parse_whole(std::string_view text, std::string_view name, const Interval& interval);
+/// "256x128", or "256" alone.
+struct Size {
+  int width;
+  std::optional<int> height;
+};
+/// @param interval  of each side. @throws InputError in the same form.
+Size parse_size(std::string_view text, std::string_view name, const Interval& interval);
 /// @throws InputError in the same form.
 void check_number(double value, std::string_view name, const Interval& interval);
 

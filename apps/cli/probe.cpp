@@ -1,7 +1,6 @@
 // `airlight probe`: the numbers of the sky for one view, or for a file of questions.
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <memory>
 
 #include "airlight/error.h"
@@ -10,6 +9,7 @@
 #include "command_line.h"
 #include "commands.h"
 #include "json_line.h"
+#include "model_of_sky.h"
 #include "model_options.h"
 #include "number.h"
 #include "options.h"
@@ -181,11 +181,10 @@ int run_probe(const ProbeOptions& options) {
   const std::string& model = options.machine.model;
   check_model_name(model, "--model", answering_models());
   const Parameters own = options.own.parameters();
-  const auto known = models();
-  const auto info = std::ranges::find(known, model, &ModelInfo::name);
-  if (!own.empty() && (info == known.end() || info->parameters.empty()))
+  const std::optional<ModelInfo> info = model_of_sky(model);
+  if (!own.empty() && (!info || info->parameters.empty()))
     throw InputError(fmt::format("--set, --preset: expected none: model {} has no parameters", model));
-  const bool in_colours = info != known.end() && info->colours;
+  const bool in_colours = info && info->colours;
   if (!options.batch.empty()) {
     if (in_colours && !own.empty())
       throw InputError(

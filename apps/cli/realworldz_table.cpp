@@ -76,7 +76,7 @@ std::vector<double> rings_of(Parameters planet, double altitude) {
   situation.parameters = &values;
   const auto engine = make_engine("double");
   Binder passes(*engine, model, situation);
-  passes.set("observer", Fields{{"sun", {0, 0, 1, 0}}, {"altitude", {altitude}}});
+  passes.set("observer", airlight::Fields{{"sun", {0, 0, 1, 0}}, {"altitude", {altitude}}});
   constexpr Shape shape{65, 1};
   std::vector<double> rgba(4 * shape.texels()), rings;
   engine->read(passes.run_once("realworldz.rings", shape)[0], rgba);
@@ -144,12 +144,9 @@ void pick(const TableOptions& options, const SkyTable& table, const Photograph& 
   }
 }
 
-SkyTable new_table(const std::string& size) {
-  constexpr Interval legal{2, 4096, "cells"};
-  const std::size_t cross = size.find('x');
-  const int width = parse_whole(std::string_view(size).substr(0, cross), "--size", legal);
-  return realworldz_starter(width,
-                            cross == std::string::npos ? width : parse_whole(size.substr(cross + 1), "--size", legal));
+SkyTable new_table(const std::string& text) {
+  const Size size = parse_size(text, "--size", {2, 4096, "cells"});
+  return realworldz_starter(size.width, size.height.value_or(size.width));
 }
 
 void check(const TableOptions& options) {

@@ -50,12 +50,9 @@ Camera make_camera(const SkyOptions& options) {
   const Interval& legal = cube ? legal_face : legal_size;
   Camera camera;
   camera.projection = lens.projection;
-  const std::size_t cross = options.size.find('x');
-  camera.width =
-      options.size.empty() ? lens.width : parse_whole(std::string_view(options.size).substr(0, cross), "--size", legal);
-  camera.height = cross == std::string::npos
-                      ? std::max(1, static_cast<int>(std::lround(camera.width * lens.height_over_width)))
-                      : parse_whole(std::string_view(options.size).substr(cross + 1), "--size", legal);
+  const Size size = options.size.empty() ? Size{lens.width, {}} : parse_size(options.size, "--size", legal);
+  camera.width = size.width;
+  camera.height = size.height.value_or(std::max(1, int(std::lround(camera.width * lens.height_over_width))));
   if (cube && camera.height != camera.width)
     throw InputError(fmt::format("--size = {}: a cube's faces are square; give one number", options.size));
   const double field_of_view = options.field_of_view.value_or(lens.field_of_view);
@@ -205,7 +202,7 @@ int run_sky(const SkyOptions& options) {
   const std::shared_ptr<Engine> engine = options.machine.make();
   const Sky sky(atmosphere, options.machine.model, engine, own_parameters);
   const std::vector<LitSky> lights = make_lights(options, air, sky, engine);
-  tell_warnings(sky);
+  tell_warnings(sky.warnings());
   if (const auto own = own_display(sky.model(), sky.parameters()))
     format = picture_format(options.exposure.empty() ? own->exposure : options.exposure,
                             options.tone.empty() ? own->tone : options.tone, options.full_float);
@@ -317,7 +314,7 @@ void add_sky(CommandLine& line) {
   for (const Option& option : add_spectral_options(sky, options->wavelengths, options->spectral, options->sensor))
     option.group(picture);
   sky.number("--target-error", options->target_error, {1e-4, 1, ""},
-             "--model reference: walk until the median pixel's standard error / luminance is below (default 0.01)")
+             "--model reference: walk until the median pixel's standard error / luminance is below")
       .group(picture);
   options->sun.add_to(sky);
   sky.option(

@@ -52,7 +52,8 @@ void add_validate(CommandLine& line) {
   const Option quick = validate.flag("--quick", options->quick, "four of the yardstick's eight wavelengths");
   validate
       .option("--model", options->models,
-              "judge this one, with parameters of its own after a colon; may be repeated (default all)")
+              "judge this one, with parameters of its own after a colon, as --set takes them; may be repeated (default "
+              "all)")
       .one_value_each()
       .type_name("NAME[:KEY=VALUE,...]");
   const Option measured =

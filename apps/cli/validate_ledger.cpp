@@ -34,7 +34,7 @@ constexpr std::string_view air_of_cost = "earth";
 /// Models with parameters that are judged beside the defaults. The draft is what CI has the time for.
 constexpr std::string_view variants[] = {"precomputed:first_order=tables", "precomputed:detail=draft"};
 
-/// "MODEL" or "MODEL:NAME=VALUE,NAME=VALUE".
+/// "MODEL" or "MODEL:NAME=VALUE,NAME=VALUE"; numbers that follow a value belong to it: "MODEL:NAME=1,2,3".
 Contestant contestant_named(const std::string& text) {
   const std::size_t colon = std::min(text.find(':'), text.size());
   Contestant contestant{text, text.substr(0, colon), {}};
@@ -42,12 +42,17 @@ Contestant contestant_named(const std::string& text) {
   if (contestant.model == without_sky)
     throw InputError(fmt::format("--model = {}: has no sky above a planet", contestant.model));
   ModelOptions own;
-  for (std::size_t begin = colon; begin < text.size();) {
-    const std::size_t end = std::min(text.find(',', begin + 1), text.size());
-    own.set.push_back(text.substr(begin + 1, end - begin - 1));
-    if (own.set.back().find('=') == std::string::npos)
-      throw InputError(fmt::format("--model = {}: expected NAME, or NAME:KEY=VALUE,KEY=VALUE", text));
-    begin = end;
+  if (colon < text.size()) {
+    for (const std::string_view piece : comma_separated(std::string_view(text).substr(colon + 1))) {
+      const std::size_t equals = piece.find('=');
+      const bool number = std::holds_alternative<std::vector<double>>(parse_parameter(piece));
+      if (equals != std::string_view::npos && equals > 0)
+        own.set.emplace_back(piece);
+      else if (equals == std::string_view::npos && number && !own.set.empty())
+        own.set.back().append(",").append(piece);
+      else
+        throw InputError(fmt::format("--model = {}: \"{}\": expected NAME, or NAME:KEY=VALUE,KEY=VALUE", text, piece));
+    }
   }
   contestant.parameters = own.parameters();
   model_parameters(find_model(contestant.model), contestant.parameters, contestant.model + ".");  // complains

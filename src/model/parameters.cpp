@@ -127,7 +127,7 @@ Values check_parameters(std::span<const ParameterInfo> keys, const Parameters& g
     std::vector<std::string_view> names;
     for (const ParameterInfo& key : keys) names.push_back(key.name);
     throw InputError(std::string(where) + name.substr(0, 60) + ": unknown key" +
-                     (names.empty() ? "; expected none" : did_you_mean(name, names)));
+                     (names.empty() ? "; this model has no parameters" : did_you_mean(name, names)));
   }
   Parameters values;
   for (const ParameterInfo& key : keys) {

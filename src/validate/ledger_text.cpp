@@ -12,6 +12,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 std::string quoted(const std::string& text) { return '"' + text + '"'; }
+/// A name as a cell: "precomputed:detail=draft,panels=6" holds a comma.
+std::string cell(const std::string& name) { return name.find(',') == name.npos ? name : quoted(name); }
 
 /// "0.43", "5.1", "120": two digits, never more than the yardstick is worth; beyond a factor of eleven only that it is so.
 std::string percent(double part) {
@@ -120,7 +122,7 @@ std::string as_csv(const Ledger& ledger) {
       "where\n";
   for (const LedgerRow& row : ledger.rows) {
     const Figure& f = row.figure;
-    text += fmt::format("{},{},{},{},{},{},{},{:.4g},{:.4g},{:.4g},{:.4g},{:.4g},{:.3g},{:.3g},{}\n", row.model,
+    text += fmt::format("{},{},{},{},{},{},{},{:.4g},{:.4g},{:.4g},{:.4g},{:.4g},{:.3g},{:.3g},{}\n", cell(row.model),
                         row.atmosphere, row.quantity, row.condition, row.rays, row.unanswered, f.count, f.median, f.p90,
                         f.p99, f.worst, f.bias, row.colour_median, row.colour_p90, quoted(f.where));
   }

@@ -34,11 +34,17 @@ std::vector<std::string> probe_words(std::vector<std::string> more) {
 const std::vector<Bad>& bad_words() {
   static const std::vector<Bad> table{
       {{}, {"Usage", "sky", "probe"}},
-      {{"sunset"}, {"sunset"}},
-      {{"--verbose"}, {"--verbose"}},
+      {{"sunset"}, {"airlight: sunset: unknown command", "airlight --help"}},
+      {{"planet"}, {"planet: unknown command; did you mean planets?"}},
+      {{"--verbose"}, {"--verbose: unknown option; a command comes first"}},
       {{"sky", "--sun-elevation", "30"}, {"--output", "required"}},
       {{"sky", "-o", "x.exr"}, {"--place", "--time", "--sun-elevation"}},
-      {sky({"--tint", "blue"}), {"--tint"}},
+      {sky({"--tint", "blue"}), {"airlight sky: --tint: unknown option", "airlight sky --help"}},
+      {{"sky", "--sun_elevation", "30"}, {"--sun_elevation: unknown option; did you mean --sun-elevation?"}},
+      {sky({"--sun-azimut=3"}), {"--sun-azimut: unknown option; did you mean --sun-azimuth?"}},
+      {{"sky", "-o", "x.exr", "--place", "46.6,", "7.9", "--time", "2026-03-20T17:08Z"}, {"'7.9'", "quotes"}},
+      {sky({"--projection", "fish"}), {"did you mean fisheye?"}},
+      {{"planets", "mars"}, {"did you mean mars-clear?"}},
       // numbers
       {sun("nan"), {"--sun-elevation = nan", "-90 .. 90 degrees"}},
       {sun("inf"), {"--sun-elevation = inf", "-90 .. 90 degrees"}},
@@ -86,6 +92,8 @@ const std::vector<Bad>& bad_words() {
       {{"sky", "--sun-elevation", "30", "-o", "x.exr", "--size", "2.5"}, {"--size = 2.5", "whole"}},
       {{"sky", "--sun-elevation", "30", "-o", "x.exr", "--size", "1e9"}, {"--size = 1e9"}},
       {{"sky", "--sun-elevation", "30", "-o", "x.exr", "--size", "4x4x4"}, {"--size"}},
+      {{"sky", "--sun-elevation", "30", "-o", "x.exr", "--size", "8,4"},
+       {"--size = 8,4: expected 1 .. 65536 pixels a side, WIDTHxHEIGHT or one number"}},
       {{"sky", "--sun-elevation", "30", "-o", "x.exr", "--size", "8x4", "--projection", "cube"},
        {"--size = 8x4", "square"}},
       {sky({"--projection", "perspective", "--field-of-view", "180"}), {"--field-of-view", "180", "170"}},
@@ -179,6 +187,8 @@ TEST(BadUsage, help_is_no_error_and_states_units_and_ranges) {
     EXPECT_EQ(outcome.err, "") << command;
   }
   const std::string help = run(folder, {"sky", "--help"}).out;
+  EXPECT_EQ(run(folder, {"help", "sky"}).out, help);
+  EXPECT_EQ(run(folder, {"help"}).out, run(folder, {"--help"}).out);
   for (const char* text : {"[degrees, -90 .. 90]", "Dobson units", "pixels", "[m, ", "[nm]", "EV"})
     EXPECT_NE(help.find(text), std::string::npos) << text;
 }
