@@ -3,29 +3,13 @@
 #include <sys/types.h>
 
 #include <cstdio>
-#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
+#include "../scratch_folder.h"
+
 namespace airlight {
-
-/// An empty folder, removed at the end.
-class Folder {
- public:
-  Folder();
-  ~Folder();
-  std::string operator/(const std::string& name) const { return (path_ / name).string(); }
-  const std::filesystem::path& path() const { return path_; }
-  /// Names in it, hidden ones too, sorted.
-  std::vector<std::string> names() const;
-
- private:
-  std::filesystem::path path_;
-};
-
-std::string read_file(const std::string& path);
-void write_file(const std::string& path, const std::string& text);
 
 struct Outcome {
   int code = -1;  ///< exit code; 1000 + signal when killed

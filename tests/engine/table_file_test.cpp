@@ -10,8 +10,8 @@
 #include <csignal>
 #include <random>
 
+#include "../scratch_folder.h"
 #include "airlight/engine.h"
-#include "scratch_folder.h"
 
 namespace airlight {
 namespace {
@@ -53,7 +53,7 @@ std::vector<std::string> files_in(const std::string& folder) {
 
 TEST(TableFile, tables_outlive_the_engine_that_made_them) {
   for (const char* engine : {"double", "simd"}) {
-    const ScratchFolder folder;
+    const Folder folder;
     EXPECT_TRUE(ask(folder / "kept", engine, 1).made);
     const Asked again = ask(folder / "kept", engine, 1);
     EXPECT_FALSE(again.made) << engine;
@@ -64,18 +64,18 @@ TEST(TableFile, tables_outlive_the_engine_that_made_them) {
 }
 
 TEST(TableFile, an_engine_of_other_numbers_makes_its_own) {
-  const ScratchFolder folder;
+  const Folder folder;
   ask(folder / "kept", "simd", 1);
   EXPECT_TRUE(ask(folder / "kept", "double", 1).made);
 }
 
 TEST(TableFile, whatever_is_wrong_with_a_file_it_is_made_anew_with_a_message) {
-  const ScratchFolder folder;
+  const Folder folder;
   ask(folder / "kept", "simd", 1);
   ask(folder / "kept", "simd", 2);
   const auto files = files_in(folder / "kept");
   ASSERT_EQ(files.size(), 2u);
-  const std::string good[] = {contents(files[0]), contents(files[1])};
+  const std::string good[] = {read_file(files[0]), read_file(files[1])};
   std::mt19937 random(20260621);
   for (int i = 0; i < 200; ++i) {
     std::string bad = good[0];
@@ -106,12 +106,12 @@ TEST(TableFile, whatever_is_wrong_with_a_file_it_is_made_anew_with_a_message) {
       made += asked.made;
     }
     EXPECT_EQ(made, 1) << "damage " << i;
-    EXPECT_EQ(contents(files[0]), good[0]) << "damage " << i;
+    EXPECT_EQ(read_file(files[0]), good[0]) << "damage " << i;
   }
 }
 
 TEST(TableFile, processes_that_make_the_same_tables_do_not_disturb_each_other) {
-  const ScratchFolder folder;
+  const Folder folder;
   std::vector<pid_t> children;
   for (int i = 0; i < 4; ++i) {
     if (const pid_t child = fork(); child != 0) {
@@ -134,11 +134,11 @@ TEST(TableFile, processes_that_make_the_same_tables_do_not_disturb_each_other) {
     waitpid(child, &status, 0);
     EXPECT_EQ(status, 0);
   }
-  EXPECT_EQ(folder.entries(), 1) << "temporary files are left behind";
+  EXPECT_EQ(folder.names().size(), 1u) << "temporary files are left behind";
 }
 
 TEST(TableFile, a_kill_while_writing_leaves_the_whole_file_or_none) {
-  const ScratchFolder folder;
+  const Folder folder;
   const Shape large{128, 128, 4};
   const std::vector<TableFile::Values> tables{{large, std::vector<double>(4 * large.texels(), 0.5)}};
   std::mt19937 random(20260621);
@@ -179,7 +179,7 @@ TEST(TableFile, a_kill_while_writing_leaves_the_whole_file_or_none) {
 }
 
 TEST(TableFile, a_folder_that_cannot_be_written_costs_a_message_only) {
-  const ScratchFolder folder;
+  const Folder folder;
   write(folder / "file", "in the way");
   const Asked asked = ask(folder / "file", "simd", 1);
   EXPECT_TRUE(asked.made);

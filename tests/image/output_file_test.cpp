@@ -9,8 +9,8 @@
 
 #include <thread>
 
+#include "../scratch_folder.h"
 #include "airlight/error.h"
-#include "scratch_folder.h"
 
 namespace airlight {
 namespace {
@@ -31,7 +31,7 @@ std::string failure(Work work) {
 }
 
 TEST(OutputFile, target_appears_only_with_commit) {
-  const ScratchFolder folder;
+  const Folder folder;
   const std::string path = folder / "a.txt";
   put(path, "old");
   OutputFile file(path);
@@ -39,44 +39,44 @@ TEST(OutputFile, target_appears_only_with_commit) {
   EXPECT_EQ(fs::path(file.temporary()).parent_path(), fs::path(path).parent_path()) << "a rename must stay on one disk";
   file.write("new ");
   file.write("text");
-  EXPECT_EQ(contents(path), "old");
+  EXPECT_EQ(read_file(path), "old");
   file.commit();
-  EXPECT_EQ(contents(path), "new text");
-  EXPECT_EQ(folder.entries(), 1);
+  EXPECT_EQ(read_file(path), "new text");
+  EXPECT_EQ(folder.names().size(), 1u);
 }
 
 TEST(OutputFile, a_stream_may_write_the_temporary_file) {
-  const ScratchFolder folder;
+  const Folder folder;
   OutputFile file(folder / "a.jsonl");
   put(file.temporary(), "{}\n");
   file.commit();
-  EXPECT_EQ(contents(folder / "a.jsonl"), "{}\n");
+  EXPECT_EQ(read_file(folder / "a.jsonl"), "{}\n");
 }
 
 TEST(OutputFile, leaving_without_commit_changes_nothing) {
-  const ScratchFolder folder;
+  const Folder folder;
   put(folder / "a.txt", "old");
   {
     OutputFile file(folder / "a.txt");
     file.write("half a resu");
   }
-  EXPECT_EQ(contents(folder / "a.txt"), "old");
-  EXPECT_EQ(folder.entries(), 1);
+  EXPECT_EQ(read_file(folder / "a.txt"), "old");
+  EXPECT_EQ(folder.names().size(), 1u);
 }
 
 TEST(OutputFile, two_at_once_do_not_meet) {
-  const ScratchFolder folder;
+  const Folder folder;
   OutputFile first(folder / "a.txt"), second(folder / "a.txt");
   first.write("first");
   second.write("second, longer");
   first.commit();
-  EXPECT_EQ(contents(folder / "a.txt"), "first");
+  EXPECT_EQ(read_file(folder / "a.txt"), "first");
   second.commit();
-  EXPECT_EQ(contents(folder / "a.txt"), "second, longer");
+  EXPECT_EQ(read_file(folder / "a.txt"), "second, longer");
 }
 
 TEST(OutputFile, file_limit_is_an_error_and_not_a_death) {
-  const ScratchFolder folder;
+  const Folder folder;
   put(folder / "a.txt", "old");
   const pid_t child = fork();
   if (child == 0) {
@@ -95,12 +95,12 @@ TEST(OutputFile, file_limit_is_an_error_and_not_a_death) {
   waitpid(child, &status, 0);
   ASSERT_TRUE(WIFEXITED(status)) << "killed by signal " << WTERMSIG(status);
   EXPECT_EQ(WEXITSTATUS(status), 7) << "no WorkError that names file and reason";
-  EXPECT_EQ(contents(folder / "a.txt"), "old");
-  EXPECT_EQ(folder.entries(), 1);
+  EXPECT_EQ(read_file(folder / "a.txt"), "old");
+  EXPECT_EQ(folder.names().size(), 1u);
 }
 
 TEST(OutputFile, new_files_obey_umask_and_old_ones_keep_their_mode) {
-  const ScratchFolder folder;
+  const Folder folder;
   const mode_t before = umask(027);
   OutputFile(folder / "new.txt").commit();
   put(folder / "old.txt", "old");
@@ -112,7 +112,7 @@ TEST(OutputFile, new_files_obey_umask_and_old_ones_keep_their_mode) {
 }
 
 TEST(OutputFile, links_are_followed_and_stay) {
-  const ScratchFolder folder;
+  const Folder folder;
   fs::create_directory(folder / "there");
   put(folder / "there/real.txt", "old");
   fs::create_symlink("there/real.txt", folder / "link.txt");
@@ -122,16 +122,16 @@ TEST(OutputFile, links_are_followed_and_stay) {
     file.write("new");
     file.commit();
     EXPECT_TRUE(fs::is_symlink(folder / name)) << name;
-    EXPECT_EQ(contents(folder / name), "new");
+    EXPECT_EQ(read_file(folder / name), "new");
   }
-  EXPECT_EQ(contents(folder / "there/real.txt"), "new");
+  EXPECT_EQ(read_file(folder / "there/real.txt"), "new");
   fs::create_symlink("loop.txt", folder / "loop.txt");
   EXPECT_THROW(OutputFile(folder / "loop.txt"), InputError);
 }
 
 TEST(OutputFile, full_device_is_an_error) {
   if (!fs::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";
-  const ScratchFolder folder;
+  const Folder folder;
   fs::create_symlink("/dev/full", folder / "full.exr");
   for (const std::string& path : {std::string("/dev/full"), folder / "full.exr"}) {
     std::string temporary;
@@ -151,12 +151,12 @@ TEST(OutputFile, full_device_is_an_error) {
 }
 
 TEST(OutputFile, pipe_gets_every_byte) {
-  const ScratchFolder folder;
+  const Folder folder;
   const std::string path = folder / "pipe.txt";
   ASSERT_EQ(mkfifo(path.c_str(), 0600), 0);
   const std::string sent(300'000, 'p');  // more than a pipe holds
   std::string received;
-  std::thread reader([&] { received = contents(path); });
+  std::thread reader([&] { received = read_file(path); });
   OutputFile file(path);
   file.write(sent);
   file.commit();
@@ -167,7 +167,7 @@ TEST(OutputFile, pipe_gets_every_byte) {
 }
 
 TEST(OutputFile, reader_that_goes_away_is_an_error) {
-  const ScratchFolder folder;
+  const Folder folder;
   const std::string path = folder / "pipe.txt";
   ASSERT_EQ(mkfifo(path.c_str(), 0600), 0);
   OutputFile file(path);
@@ -179,7 +179,7 @@ TEST(OutputFile, reader_that_goes_away_is_an_error) {
 }
 
 TEST(OutputFile, descriptor_is_written_where_it_stands) {
-  const ScratchFolder folder;
+  const Folder folder;
   const std::string path = folder / "redirected.txt";
   const int out = ::open(path.c_str(), O_WRONLY | O_CREAT, 0600);
   ASSERT_EQ(::write(out, "before ", 7), 7);  // what an earlier command of the same redirection wrote
@@ -187,12 +187,12 @@ TEST(OutputFile, descriptor_is_written_where_it_stands) {
   file.write("picture");
   file.commit();
   ::close(out);
-  EXPECT_EQ(contents(path), "before picture");
+  EXPECT_EQ(read_file(path), "before picture");
   EXPECT_THROW(OutputFile("/dev/fd/" + std::to_string(out)), InputError) << "no longer open";
 }
 
 TEST(OutputFile, what_cannot_be_written_is_refused_at_once) {
-  const ScratchFolder folder;
+  const Folder folder;
   put(folder / "file", "");
   const auto message = [](const std::string& path) -> std::string {
     try {
@@ -216,21 +216,21 @@ TEST(OutputFile, what_cannot_be_written_is_refused_at_once) {
 }
 
 TEST(OutputFile, names_may_be_as_long_as_the_disk_allows) {
-  const ScratchFolder folder;
+  const Folder folder;
   const std::string name = std::string(251, 'n') + ".exr";
   OutputFile(folder / name).commit();
   EXPECT_TRUE(fs::exists(folder / name));
 }
 
 TEST(OutputFile, an_interrupt_removes_the_temporary_files_of_all) {
-  const ScratchFolder folder;
+  const Folder folder;
   OutputFile first(folder / "a.txt"), second(folder / "b.txt");
   {
     OutputFile done(folder / "c.txt");
     done.commit();
   }
   OutputFile::remove_all();
-  EXPECT_EQ(folder.entries(), 1) << "c.txt alone: it was whole";
+  EXPECT_EQ(folder.names().size(), 1u) << "c.txt alone: it was whole";
 }
 
 }  // namespace

@@ -9,8 +9,8 @@
 #include <limits>
 #include <random>
 
+#include "../scratch_folder.h"
 #include "airlight/error.h"
-#include "scratch_folder.h"
 
 namespace airlight {
 namespace {
@@ -59,7 +59,7 @@ Picture read(const std::string& path) {
 constexpr int width = 75, height = 53;  // neither is a multiple of anything
 
 TEST(PictureFile, float_exr_is_exact) {
-  const ScratchFolder folder;
+  const Folder folder;
   const Pixels rgba = sky(width, height);
   EXPECT_TRUE(write(folder / "a.exr", width, height, rgba, {.half = false}).empty());
   const Picture picture = read(folder / "a.exr");
@@ -70,7 +70,7 @@ TEST(PictureFile, float_exr_is_exact) {
 }
 
 TEST(PictureFile, half_exr_is_as_good_as_half_floats) {
-  const ScratchFolder folder;
+  const Folder folder;
   Pixels rgba = sky(width, height);
   rgba[0] = -3;  // outside the gamut: kept
   EXPECT_TRUE(write(folder / "a.exr", width, height, rgba).empty());
@@ -84,7 +84,7 @@ TEST(PictureFile, half_exr_is_as_good_as_half_floats) {
 }
 
 TEST(PictureFile, noise_that_zip_cannot_pack_survives) {
-  const ScratchFolder folder;
+  const Folder folder;
   std::mt19937 random(1);
   std::uniform_real_distribution<float> exponent(-60, 60);
   Pixels rgba(4 * width * height);
@@ -95,18 +95,18 @@ TEST(PictureFile, noise_that_zip_cannot_pack_survives) {
 }
 
 TEST(PictureFile, file_does_not_depend_on_strips_or_threads) {
-  const ScratchFolder folder;
+  const Folder folder;
   const int tall = 700;  // more than one batch of blocks
   const Pixels rgba = sky(width, tall);
   write(folder / "a.exr", width, tall, rgba, {}, {}, tall);
   write(folder / "b.exr", width, tall, rgba, {.compression_threads = 1}, {}, 1);
   write(folder / "c.exr", width, tall, rgba, {.compression_threads = 2}, {}, 33);
-  EXPECT_TRUE(contents(folder / "a.exr") == contents(folder / "b.exr"));
-  EXPECT_TRUE(contents(folder / "a.exr") == contents(folder / "c.exr"));
+  EXPECT_TRUE(read_file(folder / "a.exr") == read_file(folder / "b.exr"));
+  EXPECT_TRUE(read_file(folder / "a.exr") == read_file(folder / "c.exr"));
 }
 
 TEST(PictureFile, half_clamps_and_says_so) {
-  const ScratchFolder folder;
+  const Folder folder;
   Pixels rgba = sky(width, height);
   rgba[4] = rgba[5] = 1.6e9f;
   rgba[9] = 70000;
@@ -122,7 +122,7 @@ TEST(PictureFile, half_clamps_and_says_so) {
 }
 
 TEST(PictureFile, no_file_carries_nan_or_infinity) {
-  const ScratchFolder folder;
+  const Folder folder;
   Pixels rgba = sky(width, height);
   rgba[0] = std::numeric_limits<float>::quiet_NaN();
   rgba[1] = std::numeric_limits<float>::infinity();
@@ -138,7 +138,7 @@ TEST(PictureFile, no_file_carries_nan_or_infinity) {
 }
 
 TEST(PictureFile, hdr_holds_the_sun_to_eight_bits) {
-  const ScratchFolder folder;
+  const Folder folder;
   Pixels rgba = sky(width, height);
   rgba[0] = rgba[1] = rgba[2] = 1.6e9f;
   rgba[4] = -5;
@@ -155,7 +155,7 @@ TEST(PictureFile, hdr_holds_the_sun_to_eight_bits) {
 }
 
 TEST(PictureFile, metadata_survive) {
-  const ScratchFolder folder;
+  const Folder folder;
   const Metadata metadata = {{"Atmosphere", "earth"},
                              {"SunElevation", 12.5},
                              {"Wavelengths", std::string(300, '5')},
@@ -179,13 +179,13 @@ TEST(PictureFile, metadata_survive) {
     EXPECT_EQ(png.text(name.c_str()), *text) << name;
   }
   write(folder / "a.hdr", width, height, rgba, {}, metadata);
-  const std::string hdr = contents(folder / "a.hdr");
+  const std::string hdr = read_file(folder / "a.hdr");
   EXPECT_NE(hdr.find("\n# Atmosphere: earth\n# SunElevation: 12.5\n"), std::string::npos);
   EXPECT_EQ(read(folder / "a.hdr").spec.width, width) << "the header is still one";
 }
 
 TEST(PictureFile, colour_is_said) {
-  const ScratchFolder folder;
+  const Folder folder;
   const Pixels rgba = sky(width, height);
   write(folder / "a.exr", width, height, rgba);
   const Picture picture = read(folder / "a.exr");
@@ -200,7 +200,7 @@ TEST(PictureFile, colour_is_said) {
 }
 
 TEST(PictureFile, png_obeys_the_exposure_given) {
-  const ScratchFolder folder;
+  const Folder folder;
   const Pixels rgba(4 * width * height, 1000.0f);
   const auto level = [&](double ev) {
     const auto notes =
@@ -215,7 +215,7 @@ TEST(PictureFile, png_obeys_the_exposure_given) {
 }
 
 TEST(PictureFile, full_disk_is_an_error_and_the_old_file_stays) {
-  const ScratchFolder folder;
+  const Folder folder;
   const Pixels rgba = sky(512, 512);
   for (const char* name : {"a.exr", "a.hdr", "a.png"}) {
     std::ofstream(folder / name) << "old";
@@ -232,9 +232,9 @@ TEST(PictureFile, full_disk_is_an_error_and_the_old_file_stays) {
     setrlimit(RLIMIT_FSIZE, &before);
     EXPECT_NE(message.find(name), std::string::npos) << name << ": " << message;
     EXPECT_NE(message.find("File too large"), std::string::npos) << message;
-    EXPECT_EQ(contents(folder / name), "old");
+    EXPECT_EQ(read_file(folder / name), "old");
   }
-  EXPECT_EQ(folder.entries(), 3);
+  EXPECT_EQ(folder.names().size(), 3u);
 }
 
 TEST(PictureFile, a_device_that_is_full_is_an_error) {
@@ -243,17 +243,17 @@ TEST(PictureFile, a_device_that_is_full_is_an_error) {
 }
 
 TEST(PictureFile, unfinished_leaves_nothing) {
-  const ScratchFolder folder;
+  const Folder folder;
   const Pixels rgba = sky(width, 40);
   for (const char* name : {"a.exr", "a.hdr", "a.png"}) {
     PictureFile file(folder / name, width, height, {}, {});
     file.write_rows(0, 40, rgba);
   }
-  EXPECT_EQ(folder.entries(), 0);
+  EXPECT_EQ(folder.names().size(), 0u);
 }
 
 TEST(PictureFile, bad_names_and_sizes_are_refused) {
-  const ScratchFolder folder;
+  const Folder folder;
   for (const char* name : {"a.jpg", "a", "a.exr.txt"}) {
     try {
       PictureFile file(folder / name, width, height, {}, {});
@@ -265,7 +265,7 @@ TEST(PictureFile, bad_names_and_sizes_are_refused) {
   EXPECT_THROW(PictureFile(folder / "missing/a.exr", width, height, {}, {}), InputError);
   EXPECT_THROW(PictureFile(folder / "a.exr", 0, height, {}, {}), InputError);
   EXPECT_NO_THROW(PictureFile(folder / "a.EXR", width, height, {}, {}));
-  EXPECT_EQ(folder.entries(), 0);
+  EXPECT_EQ(folder.names().size(), 0u);
 }
 
 }  // namespace

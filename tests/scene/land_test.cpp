@@ -39,14 +39,14 @@ std::array<double, 2> from_utm32(double easting, double northing) {
 }
 
 TEST(Land, projected_and_geographic_files_of_one_hill_agree) {
-  const Scratch scratch;
-  write_raster(scratch.path("geographic.tif"),
+  const Folder folder;
+  write_raster(folder / "geographic.tif",
                {.width = 400,
                 .height = 400,
                 .coordinate_system = "EPSG:4326",
                 .geotransform = {8.9, 0.0005, 0, 47.1, 0, -0.0005}},
                [](double x, double y, int) { return hill(x, y); });
-  write_raster(scratch.path("projected.tif"),
+  write_raster(folder / "projected.tif",
                {.width = 400,
                 .height = 500,
                 .coordinate_system = "EPSG:32632",
@@ -58,7 +58,7 @@ TEST(Land, projected_and_geographic_files_of_one_hill_agree) {
   const Place middle{47 * degree, 9 * degree};
   const auto load = [&](const std::string& name) {
     LandSettings settings;
-    settings.files = {{scratch.path(name)}};
+    settings.files = {{folder / name}};
     settings.origin = middle;
     return Land(settings);
   };
@@ -80,14 +80,13 @@ TEST(Land, projected_and_geographic_files_of_one_hill_agree) {
 }
 
 TEST(Land, values_are_kept_inside_and_blend_into_the_plain_within_the_stated_width) {
-  const Scratch scratch;
+  const Folder folder;
   // 6 km x 6 km, 100 m at its border, a plateau of 600 m from 300 m inward.
-  write_raster(scratch.path("plateau.tif"), {.width = 200, .height = 200, .geotransform = {}},
-               [](double x, double y, int) {
-                 return std::min(std::min(x, 200 - x), std::min(y, 200 - y)) < 10 ? 100.0 : 600.0;
-               });
+  write_raster(folder / "plateau.tif", {.width = 200, .height = 200, .geotransform = {}}, [](double x, double y, int) {
+    return std::min(std::min(x, 200 - x), std::min(y, 200 - y)) < 10 ? 100.0 : 600.0;
+  });
   LandSettings settings;
-  settings.files = {{.file = scratch.path("plateau.tif"), .cell_size = 30, .blend = 1000}};
+  settings.files = {{.file = folder / "plateau.tif", .cell_size = 30, .blend = 1000}};
   const Land land(settings);
   EXPECT_NEAR(land.plain_altitude(), 100, 1e-3);
   EXPECT_NEAR(land.altitude(0, 0), 600, 1e-3);
@@ -95,9 +94,9 @@ TEST(Land, values_are_kept_inside_and_blend_into_the_plain_within_the_stated_wid
   EXPECT_NEAR(land.altitude(3500, 0), 100, 1e-3);
   EXPECT_EQ(land.altitude(4100, 0), land.plain_altitude());
   // Rows run south.
-  write_raster(scratch.path("slope.tif"), {.width = 200, .height = 200, .geotransform = {}},
+  write_raster(folder / "slope.tif", {.width = 200, .height = 200, .geotransform = {}},
                [](double x, double y, int) { return 1000 + x - 3 * y; });
-  settings.files = {{.file = scratch.path("slope.tif"), .cell_size = 30}};
+  settings.files = {{.file = folder / "slope.tif", .cell_size = 30}};
   const Land slope(settings);
   EXPECT_NEAR(slope.altitude(300, 0) - slope.altitude(0, 0), 10, 1e-3);
   EXPECT_NEAR(slope.altitude(0, 300) - slope.altitude(0, 0), 30, 1e-3);
@@ -110,14 +109,14 @@ TEST(Land, values_are_kept_inside_and_blend_into_the_plain_within_the_stated_wid
 }
 
 TEST(Land, a_finer_file_lies_inside_a_coarser_one) {
-  const Scratch scratch;
-  write_raster(scratch.path("coarse.tif"), {.width = 100, .height = 100, .geotransform = {}},
+  const Folder folder;
+  write_raster(folder / "coarse.tif", {.width = 100, .height = 100, .geotransform = {}},
                [](double, double, int) { return 200.0; });
-  write_raster(scratch.path("fine.tif"), {.width = 400, .height = 400, .geotransform = {}},
+  write_raster(folder / "fine.tif", {.width = 400, .height = 400, .geotransform = {}},
                [](double, double, int) { return 300.0; });
   LandSettings settings;
-  settings.files = {{.file = scratch.path("coarse.tif"), .cell_size = 200},
-                    {.file = scratch.path("fine.tif"), .cell_size = 10, .blend = 500}};
+  settings.files = {{.file = folder / "coarse.tif", .cell_size = 200},
+                    {.file = folder / "fine.tif", .cell_size = 10, .blend = 500}};
   const Land land(settings);
   EXPECT_NEAR(land.altitude(0, 0), 300, 1e-3);
   EXPECT_NEAR(land.altitude(1400, 0), 300, 1e-3);
@@ -131,17 +130,17 @@ TEST(Land, a_finer_file_lies_inside_a_coarser_one) {
 }
 
 TEST(Land, missing_values_inside_are_filled_smoothly_and_those_at_the_border_are_outside) {
-  const Scratch scratch;
+  const Folder folder;
   for (const double missing : {-9999.0, -32768.0, 1e38, std::nan("")}) {
     for (const bool declared : {true, false}) {
       RasterDescription d{.width = 200, .height = 200, .geotransform = {}};
       if (declared && !std::isnan(missing)) d.nodata = {missing};
-      write_raster(scratch.path("holes.tif"), d, [&](double x, double y, int) {
+      write_raster(folder / "holes.tif", d, [&](double x, double y, int) {
         const bool hole = std::hypot(x - 100, y - 100) < 15, wedge = x + y < 100;
         return hole || wedge ? missing : 500.0 + x;
       });
       LandSettings settings;
-      settings.files = {{.file = scratch.path("holes.tif"), .cell_size = 30, .blend = 600}};
+      settings.files = {{.file = folder / "holes.tif", .cell_size = 30, .blend = 600}};
       const Land land(settings);
       // In the hole, 900 m wide, the slope of 1 in 30 goes on: 500 + 100 in its middle, within the pyramid's blur.
       EXPECT_NEAR(land.altitude(0, 0), 600, 8);
@@ -161,22 +160,22 @@ TEST(Land, missing_values_inside_are_filled_smoothly_and_those_at_the_border_are
 }
 
 TEST(Land, units_of_the_file_and_of_the_scene_apply) {
-  const Scratch scratch;
-  write_raster(scratch.path("flat.tif"), {.width = 10, .height = 10, .geotransform = {}},
+  const Folder folder;
+  write_raster(folder / "flat.tif", {.width = 10, .height = 10, .geotransform = {}},
                [](double, double, int) { return 100.0; });
   LandSettings settings;
-  settings.files = {{.file = scratch.path("flat.tif"), .height_scale = 0.3048, .height_offset = 7, .cell_size = 100}};
+  settings.files = {{.file = folder / "flat.tif", .height_scale = 0.3048, .height_offset = 7, .cell_size = 100}};
   EXPECT_NEAR(Land(settings).altitude(0, 0), 37.48, 1e-5);
 }
 
 TEST(Land, blocks_read_at_need_agree_with_a_small_copy) {
   // 3000 values a side: held at half resolution, full resolution in blocks of 256.
-  const Scratch scratch;
+  const Folder folder;
   const auto wave = [](double x, double y, int) { return 300 + 50 * std::sin(x * 0.02) + 40 * std::cos(y * 0.03); };
-  write_raster(scratch.path("large.tif"), {.width = 3000, .height = 2600, .geotransform = {}}, wave);
+  write_raster(folder / "large.tif", {.width = 3000, .height = 2600, .geotransform = {}}, wave);
   LandSettings settings;
   settings.extent = 30'000;
-  settings.files = {{.file = scratch.path("large.tif"), .cell_size = 10}};
+  settings.files = {{.file = folder / "large.tif", .cell_size = 10}};
   const Land land(settings);
   std::mt19937 random(4);
   std::uniform_real_distribution<double> place(-9000, 9000);
@@ -191,7 +190,7 @@ TEST(Land, blocks_read_at_need_agree_with_a_small_copy) {
 }
 
 TEST(Land, bad_files_are_refused_by_name) {
-  const Scratch scratch;
+  const Folder folder;
   const auto complaint = [](ElevationFile file, std::optional<Place> origin = {}) -> std::string {
     LandSettings settings;
     settings.files = {std::move(file)};
@@ -204,41 +203,39 @@ TEST(Land, bad_files_are_refused_by_name) {
     return "accepted";
   };
   EXPECT_EQ(complaint({"nowhere.tif"}), "nowhere.tif: no such file");
-  EXPECT_EQ(complaint({scratch.folder.string()}), scratch.folder.string() + ": expected a file, got a folder");
-  const std::string text = scratch.path("text.tif");
+  EXPECT_EQ(complaint({folder.path().string()}), folder.path().string() + ": expected a file, got a folder");
+  const std::string text = folder / "text.tif";
   FILE* file = std::fopen(text.c_str(), "w");
   std::fputs("no raster", file);
   std::fclose(file);
   EXPECT_NE(complaint({text}).find(text + ": GDAL cannot read it as a raster"), std::string::npos);
-  write_raster(scratch.path("nowhere.tif"), {.geotransform = {}}, [](double, double, int) { return 1.0; });
-  EXPECT_NE(complaint({scratch.path("nowhere.tif")}).find("says not where it lies"), std::string::npos);
-  EXPECT_NE(
-      complaint({.file = scratch.path("nowhere.tif"), .band = 2, .cell_size = 10}).find("band = 2: expected 1 .. 1"),
-      std::string::npos);
-  write_raster(scratch.path("empty.tif"), {.geotransform = {}}, [](double, double, int) { return std::nan(""); });
-  EXPECT_NE(complaint({.file = scratch.path("empty.tif"), .cell_size = 10}).find("every value is missing"),
+  write_raster(folder / "nowhere.tif", {.geotransform = {}}, [](double, double, int) { return 1.0; });
+  EXPECT_NE(complaint({folder / "nowhere.tif"}).find("says not where it lies"), std::string::npos);
+  EXPECT_NE(complaint({.file = folder / "nowhere.tif", .band = 2, .cell_size = 10}).find("band = 2: expected 1 .. 1"),
             std::string::npos);
-  write_raster(scratch.path("alps.tif"),
-               {.coordinate_system = "EPSG:4326", .geotransform = {8, 0.001, 0, 47, 0, -0.001}},
-               [](double, double, int) { return 1.0; });
-  EXPECT_EQ(complaint({scratch.path("alps.tif")}), "accepted");
-  EXPECT_NE(complaint({scratch.path("alps.tif")}, Place{46 * degree, 12 * degree}).find("expected within 100 km"),
+  write_raster(folder / "empty.tif", {.geotransform = {}}, [](double, double, int) { return std::nan(""); });
+  EXPECT_NE(complaint({.file = folder / "empty.tif", .cell_size = 10}).find("every value is missing"),
             std::string::npos);
-  write_raster(scratch.path("flat.tif"), {.coordinate_system = "EPSG:4326", .geotransform = {8, 0, 0, 47, 0, 0}},
+  write_raster(folder / "alps.tif", {.coordinate_system = "EPSG:4326", .geotransform = {8, 0.001, 0, 47, 0, -0.001}},
                [](double, double, int) { return 1.0; });
-  EXPECT_NE(complaint({scratch.path("flat.tif")}), "accepted");
+  EXPECT_EQ(complaint({folder / "alps.tif"}), "accepted");
+  EXPECT_NE(complaint({folder / "alps.tif"}, Place{46 * degree, 12 * degree}).find("expected within 100 km"),
+            std::string::npos);
+  write_raster(folder / "flat.tif", {.coordinate_system = "EPSG:4326", .geotransform = {8, 0, 0, 47, 0, 0}},
+               [](double, double, int) { return 1.0; });
+  EXPECT_NE(complaint({folder / "flat.tif"}), "accepted");
 }
 
 TEST(Land, longitudes_across_the_date_line_are_one_place) {
-  const Scratch scratch;
-  write_raster(scratch.path("fiji.tif"),
+  const Folder folder;
+  write_raster(folder / "fiji.tif",
                {.width = 200,
                 .height = 100,
                 .coordinate_system = "EPSG:4326",
                 .geotransform = {179.9, 0.001, 0, -16.9, 0, -0.001}},
                [](double x, double, int) { return 1000 * (x - 179.9); });
   LandSettings settings;
-  settings.files = {{scratch.path("fiji.tif")}};
+  settings.files = {{folder / "fiji.tif"}};
   settings.origin = Place{-16.95 * degree, -179.99 * degree};
   const Land land(settings);
   EXPECT_NEAR(land.altitude(0, 0), 110, 0.1);

@@ -1,26 +1,12 @@
 // Elevation files for tests.
 #pragma once
-#include <unistd.h>
-
-#include <filesystem>
 #include <functional>
 #include <string>
 #include <vector>
 
-namespace airlight {
+#include "../scratch_folder.h"
 
-/// A folder that goes when the test does.
-struct Scratch {
-  std::filesystem::path folder;
-  Scratch() {
-    folder = std::filesystem::temp_directory_path() /
-             ("airlight_scene_test_" + std::to_string(getpid()) + "_" + std::to_string(count++));
-    std::filesystem::create_directories(folder);
-  }
-  ~Scratch() { std::filesystem::remove_all(folder); }
-  std::string path(const std::string& name) const { return (folder / name).string(); }
-  static inline int count = 0;
-};
+namespace airlight {
 
 struct RasterDescription {
   int width = 64, height = 64, bands = 1;

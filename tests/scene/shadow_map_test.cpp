@@ -36,11 +36,11 @@ TEST(ShadowMap, disc_fraction_is_the_area_of_a_segment) {
 }
 
 TEST(ShadowMap, behind_a_wall_the_shadow_falls_with_the_sun) {
-  const Scratch scratch;
-  write_raster(scratch.path("wall.tif"), {.width = 1600, .height = 400},
+  const Folder folder;
+  write_raster(folder / "wall.tif", {.width = 1600, .height = 400},
                [](double x, double, int) { return 800 * std::exp(-std::pow((x - 1400) / 20, 2)); });
   LandSettings settings;
-  settings.files = {{.file = scratch.path("wall.tif"), .cell_size = 50}};
+  settings.files = {{.file = folder / "wall.tif", .cell_size = 50}};
   const Land land(settings);
   // The wall stands 30 km east. Map of 40 km: the wall is inside; of 8 km: beyond its edge.
   for (const double half_width : {40'000.0, 8'000.0}) {

@@ -10,11 +10,11 @@
 namespace airlight {
 namespace {
 
-Land land_of(const Scratch& scratch, const std::function<double(double, double)>& height) {
-  write_raster(scratch.path("land.tif"), {.width = 400, .height = 400},
+Land land_of(const Folder& folder, const std::function<double(double, double)>& height) {
+  write_raster(folder / "land.tif", {.width = 400, .height = 400},
                [&](double x, double y, int) { return height((x - 200) * 25, (200 - y) * 25); });
   LandSettings settings;
-  settings.files = {{.file = scratch.path("land.tif"), .cell_size = 25}};
+  settings.files = {{.file = folder / "land.tif", .cell_size = 25}};
   return Land(settings);
 }
 
@@ -25,10 +25,10 @@ TEST(SkyView, a_plain_sees_all_of_it) {
 }
 
 TEST(SkyView, a_slope_sees_half_of_one_plus_its_cosine) {
-  const Scratch scratch;
+  const Folder folder;
   for (const double tangent : {0.2, 0.6}) {
     const Land land =
-        land_of(scratch, [&](double east, double north) { return 5000 + tangent * (0.6 * east - 0.8 * north); });
+        land_of(folder, [&](double east, double north) { return 5000 + tangent * (0.6 * east - 0.8 * north); });
     // Near the middle: the file's border, where the slope ends, is 4 km away.
     const SkyViewMap map = sky_view_map(land, 0, 0, 500, 16);
     // Uphill horizon at the slope's own rise; 16 directions integrate smooth functions to 1e-3. Below it the plain ends.
@@ -37,9 +37,9 @@ TEST(SkyView, a_slope_sees_half_of_one_plus_its_cosine) {
 }
 
 TEST(SkyView, the_floor_of_a_long_valley) {
-  const Scratch scratch;
+  const Folder folder;
   // Walls that rise at 45 degrees from the valley's axis on, 2 km high: horizon at 45 degrees, except along the valley.
-  const Land land = land_of(scratch, [](double east, double) { return 1000 + std::min(std::abs(east), 2000.0); });
+  const Land land = land_of(folder, [](double east, double) { return 1000 + std::min(std::abs(east), 2000.0); });
   const SkyViewMap map = sky_view_map(land, 0, 0, 400, 17);
   // From the axis the horizon at azimuth a from the axis has tan(h) = |sin a|; cosine-weighted sky: mean of cos^2 h =
   // mean of 1 / (1 + sin^2 a) = 1 / sqrt(2). The axis is rounded by the 25 m cells and lies between two columns.
@@ -47,8 +47,8 @@ TEST(SkyView, the_floor_of_a_long_valley) {
 }
 
 TEST(SkyView, a_place_sees_the_same_from_the_middle_and_the_edge_of_a_map) {
-  const Scratch scratch;
-  const Land land = land_of(scratch, [](double east, double north) {
+  const Folder folder;
+  const Land land = land_of(folder, [](double east, double north) {
     return 1000 + 300 * std::sin(0.004 * east + 0.001 * north) + 200 * std::cos(0.005 * north);
   });
   // Half a cell inside the west edge of one, in the middle of the other; as whole cells lie between, both ask for the same places nearby.

@@ -45,20 +45,20 @@ TEST(SurfaceColour, snow_lies_high_and_level_rock_is_steep_grass_is_green) {
 }
 
 TEST(SurfaceColour, an_image_lies_where_it_belongs) {
-  const Scratch scratch;
+  const Folder folder;
   write_raster(
-      scratch.path("ground.tif"),
+      folder / "ground.tif",
       {.width = 100, .height = 100, .coordinate_system = "EPSG:4326", .geotransform = {8, 0.001, 0, 47, 0, -0.001}},
       [](double, double, int) { return 100.0; });
   // North half red, south half gray at half the code values.
   const RasterDescription image{.width = 50, .height = 50, .bands = 3, .bytes = true};
-  write_raster(scratch.path("image.tif"), image,
+  write_raster(folder / "image.tif", image,
                [](double, double y, int band) { return y < 25 ? (band == 1 ? 255.0 : 0.0) : 128.0; });
   LandSettings settings;
-  settings.files = {{scratch.path("ground.tif")}};
+  settings.files = {{folder / "ground.tif"}};
   const auto land = std::make_shared<Land>(settings);
   SurfaceSettings surface;
-  surface.image = scratch.path("image.tif");
+  surface.image = folder / "image.tif";
   const SurfaceColour colour(surface, land, wavelengths);
   const auto north = albedo(colour, at(0, 2500, 100, 0)), south = albedo(colour, at(0, -2500, 100, 0));
   EXPECT_GT(north[3], 0.9) << "red at 635 nm";
@@ -76,16 +76,16 @@ TEST(SurfaceColour, an_image_lies_where_it_belongs) {
 }
 
 TEST(SurfaceColour, bad_images_are_refused_by_name) {
-  const Scratch scratch;
+  const Folder folder;
   const auto land = std::make_shared<Land>(LandSettings{});
   SurfaceSettings surface;
   surface.image = "nowhere.png";
   EXPECT_THROW(SurfaceColour(surface, land, wavelengths), InputError);
-  write_raster(scratch.path("two.tif"), {.bands = 2}, [](double, double, int) { return 1.0; });
-  surface.image = scratch.path("two.tif");
+  write_raster(folder / "two.tif", {.bands = 2}, [](double, double, int) { return 1.0; });
+  surface.image = folder / "two.tif";
   EXPECT_THROW(SurfaceColour(surface, land, wavelengths), InputError);
-  write_raster(scratch.path("three.tif"), {.bands = 3}, [](double, double, int) { return 1.0; });
-  surface.image = scratch.path("three.tif");
+  write_raster(folder / "three.tif", {.bands = 3}, [](double, double, int) { return 1.0; });
+  surface.image = folder / "three.tif";
   EXPECT_THROW(SurfaceColour(surface, land, wavelengths), InputError)
       << "no coordinates, and no file to stretch it over";
 }

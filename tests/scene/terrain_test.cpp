@@ -81,12 +81,12 @@ TEST(Terrain, a_plain_is_the_sphere) {
 }
 
 TEST(Terrain, hits_lie_on_the_land_and_normals_are_its_slope) {
-  const Scratch scratch;
+  const Folder folder;
   // A plane that rises 3 in 10 to the east and falls 1 in 10 to the north.
-  write_raster(scratch.path("plane.tif"), {.width = 200, .height = 200},
+  write_raster(folder / "plane.tif", {.width = 200, .height = 200},
                [](double x, double y, int) { return 2000 + 0.3 * 30 * (x - 100) + 0.1 * 30 * (y - 100); });
   LandSettings settings;
-  settings.files = {{.file = scratch.path("plane.tif"), .cell_size = 30}};
+  settings.files = {{.file = folder / "plane.tif", .cell_size = 30}};
   const auto land = std::make_shared<Land>(settings);
   const Position eye = land->frame().position({-500, 300, 4000});
   const Terrain terrain(land, coarse(eye, 0.002));
@@ -112,12 +112,12 @@ TEST(Terrain, hits_lie_on_the_land_and_normals_are_its_slope) {
 }
 
 TEST(Terrain, curvature_hides_the_foot_of_a_far_mountain) {
-  const Scratch scratch;
+  const Folder folder;
   // A ridge of 500 m, 60 km east of the eye.
-  write_raster(scratch.path("wall.tif"), {.width = 1600, .height = 64},
+  write_raster(folder / "wall.tif", {.width = 1600, .height = 64},
                [](double x, double, int) { return 500 * std::exp(-std::pow((x - 1400) / 10, 2)); });
   LandSettings settings;
-  settings.files = {{.file = scratch.path("wall.tif"), .cell_size = 100}};
+  settings.files = {{.file = folder / "wall.tif", .cell_size = 100}};
   const auto land = std::make_shared<Land>(settings);
   const double wall = 60'000, radius = land->frame().radius();
   const Position eye = land->frame().position({0, 0, 2});
@@ -228,12 +228,12 @@ TEST(Terrain, rays_may_come_from_space) {
 }
 
 TEST(Terrain, the_sun_sets_behind_a_ridge_over_its_own_width) {
-  const Scratch scratch;
+  const Folder folder;
   // A ridge from south to north, 1000 m high, 10 km east.
-  write_raster(scratch.path("ridge.tif"), {.width = 1200, .height = 600},
+  write_raster(folder / "ridge.tif", {.width = 1200, .height = 600},
                [](double x, double, int) { return 1000 * std::exp(-std::pow((x - 1100) / 10, 2)); });
   LandSettings settings;
-  settings.files = {{.file = scratch.path("ridge.tif"), .cell_size = 20}};
+  settings.files = {{.file = folder / "ridge.tif", .cell_size = 20}};
   const auto land = std::make_shared<Land>(settings);
   const Position eye = land->frame().position({0, 0, 100});
   const Terrain terrain(land, coarse(eye, 0.001));
@@ -261,12 +261,12 @@ TEST(Terrain, the_sun_sets_behind_a_ridge_over_its_own_width) {
 
 // On a dome all ground that faces the sun sees it. Its triangles do not: the edge of day runs along some and past their neighbours.
 TEST(Terrain, the_edge_of_day_on_a_dome_is_no_saw) {
-  const Scratch scratch;
-  write_raster(scratch.path("dome.tif"), {.width = 240, .height = 240}, [](double x, double y, int) {
+  const Folder folder;
+  write_raster(folder / "dome.tif", {.width = 240, .height = 240}, [](double x, double y, int) {
     return 1500 - (std::pow(30 * (x - 120), 2) + std::pow(30 * (y - 120), 2)) / 6000;
   });
   LandSettings settings;
-  settings.files = {{.file = scratch.path("dome.tif"), .cell_size = 30}};
+  settings.files = {{.file = folder / "dome.tif", .cell_size = 30}};
   const auto land = std::make_shared<Land>(settings);
   const Position eye = land->frame().position({0, 0, 8000});
   const Terrain terrain(land, coarse(eye, 0.01));

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "../scratch_folder.h"
 #include "airlight/error.h"
 #include "airlight/sky.h"
-#include "scratch_folder.h"
 
 namespace airlight {
 namespace {
@@ -45,7 +45,7 @@ class Watch : public testing::TestWithParam<const char*> {
   }
 
   std::shared_ptr<Engine> engine_;
-  ScratchFolder folder_;
+  Folder folder_;
 };
 
 TEST_P(Watch, is_told_of_rising_parts_up_to_the_whole) {
