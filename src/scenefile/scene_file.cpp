@@ -296,7 +296,13 @@ ScenePicture read_picture(TableReader reader) {
 }  // namespace
 
 SceneLight parse_light(const std::string& keys, const std::string& name, const SceneSun& sun) {
-  const toml::table document = parse_toml("light = { " + keys + " }", name);
+  toml::table document;
+  try {
+    document = parse_toml("light = { " + keys + " }", name);
+  } catch (const InputError&) {
+    throw InputError(name + " = " + keys.substr(0, 80) +
+                     ": expected keys with values, as 'body = \"moon\"' or 'elevation = 3, azimuth = 200'");
+  }
   TableReader root(document, name), reader = root.table("light");
   root.finish();
   return read_light(reader, sun);
