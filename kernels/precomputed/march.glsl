@@ -256,7 +256,8 @@ FN_SHARED Vec4 precomputed_march(IN(Air) air, IN(Lattice) lattice, int orders, V
     Float place = Float(i) - select(before, Float(0.0), select(behind, lit_last, lit_first));
     Float to_go = select(before, lit_first, select(behind, panels.x, lit_last)) - (Float(i) + 1.0);
     Bool over = skips && behind && (place < 0.5);
-    depth = depth + select(over, skipped, Vec4(0.0));
+    // Panels that others' rays have more of pass over a ray's own end, too: its depth is added once, below.
+    depth = depth + select(over && ends_lit, skipped, Vec4(0.0));
     Float begin = select(over, light_again, end);
     end = clamp(piece.x + piece.y * precomputed_sinh(piece.z + piece.w * (place + 1.0)), begin, piece_end);
     end = select(to_go < 0.5, piece_end, end);

@@ -114,8 +114,9 @@ FN int precomputed_sharpest(IN(Air) air, Table2 phases) {
   return sharpest;
 }
 
-/// Mean transmittance of a path in even air, (1 - exp(-depth)) / depth, nearly: its Pade approximant [1/2]. What the air adds to a ray is the
-/// sum of its source times this, so that the tables need only know what is not even about it.
+/// Mean transmittance of a path in even air, (1 - exp(-depth)) / depth, nearly: a fraction that is alike to the second order at 0 and goes as
+/// 1 / depth. What the air adds to a ray is the sum of its source times this, so that the tables need only know what is not even about it: how
+/// nearly is of no matter, as what is kept has been divided by this and is multiplied by it again.
 /// @param depth [1] in 0..100
 FN Vec4 precomputed_mean_transmittance(Vec4 depth) { return (depth + 6.0) / (depth * (depth + 4.0) + 6.0); }
 
@@ -180,9 +181,11 @@ FN Float precomputed_seen_place(IN(Air) air, IN(Sight) sight, Vec4 at, Bool hits
   Float half_sine = sqrt(clamp(0.5 - 0.5 * cosine, 0.0, 1.0));
   lower = Vec3(half_texel(precomputed_sun_place(air, at.z), sight.suns), (band * rows + row) * v, half_texel(half_sine, sight.azimuths));
   upper = Vec3(lower.x, lower.y + rows * v, lower.z);
-  // Between two bands light goes as altitude does, but for rays down: as the way to the horizon.
+  // Between two bands light goes as altitude does, but the closer a ray down comes to the horizon the more as the way there.
   Float part = height - band;
-  return select(at.y < 0.0, part, part * (height + band) / (2.0 * band + 1.0));
+  Float radius = air.ground_radius + at.x;
+  Float steep = clamp(-at.y * radius * inverse_root(max(radius_gap(air.ground_radius, at.x, Float(0.0)), 1.0)), 0.0, 1.0);
+  return part * mix((height + band) / (2.0 * band + 1.0), Float(1.0), steep);
 }
 
 /// What one of these tables holds there, per path. What it has not been told is darkness.
