@@ -57,7 +57,7 @@ std::string observer_class(double altitude) {
 using Condition = std::pair<std::string, std::function<bool(const YardstickRay&)>>;
 
 /// In the order of the tables: all, by sun, by observer, by kind.
-std::vector<Condition> conditions(const std::vector<Judged>& judged) {
+std::vector<Condition> conditions(const std::vector<Judged>& judged, double ground_radius) {
   std::vector<Condition> list{{"all", [](const YardstickRay&) { return true; }},
                               {"sun -2 and higher", [](const YardstickRay& ray) { return ray.sun_elevation >= -2; }}};
   std::map<double, bool, std::greater<>> suns;
@@ -72,6 +72,13 @@ std::vector<Condition> conditions(const std::vector<Judged>& judged) {
     list.push_back({name, [name](const YardstickRay& ray) { return observer_class(ray.ray.altitude) == name; }});
   list.push_back({"whole rays", [](const YardstickRay& ray) { return ray.quantity == Quantity::radiance; }});
   list.push_back({"segments", [](const YardstickRay& ray) { return ray.quantity == Quantity::path_radiance; }});
+  const auto looks = [ground_radius](LowView where) {
+    return [=](const YardstickRay& ray) {
+      return ray.quantity != Quantity::sky_irradiance && low_view(ray.ray, ground_radius) == where;
+    };
+  };
+  list.push_back({"just below the horizon", looks(LowView::ground)});
+  list.push_back({"past a low limb", looks(LowView::limb)});
   return list;
 }
 
@@ -131,8 +138,8 @@ void judge_transmittance(Judged& judged, const ModelAnswers::Ray& answer, const 
 
 /// One row a condition that has rays at all.
 void add_quantity(Ledger& ledger, const ModelAnswers& answers, const std::string& quantity,
-                  const std::vector<Judged>& judged, std::vector<Deviation> Judged::*deviations) {
-  for (const auto& [name, holds] : conditions(judged)) {
+                  const std::vector<Judged>& judged, double ground_radius, std::vector<Deviation> Judged::*deviations) {
+  for (const auto& [name, holds] : conditions(judged, ground_radius)) {
     LedgerRow row{answers.model, answers.atmosphere, quantity, name, {}};
     std::vector<Deviation> all;
     std::vector<double> colours;
@@ -186,9 +193,10 @@ void add_rows(Ledger& ledger, const Yardstick& yardstick, const ModelAnswers& an
     if (!answers.colours && !answer.transmittance.empty())
       judge_transmittance(judged, answer, yardstick.wavelengths, solver);
   }
-  add_quantity(ledger, answers, answers.colours ? "luminance" : "radiance", rays, &Judged::light);
-  add_quantity(ledger, answers, "transmittance", rays, &Judged::transmittance);
-  add_quantity(ledger, answers, "sky_irradiance", skies, &Judged::light);
+  const double radius = atmosphere.planet.ground_radius;
+  add_quantity(ledger, answers, answers.colours ? "luminance" : "radiance", rays, radius, &Judged::light);
+  add_quantity(ledger, answers, "transmittance", rays, radius, &Judged::transmittance);
+  add_quantity(ledger, answers, "sky_irradiance", skies, radius, &Judged::light);
   ledger.costs.push_back({answers.model, answers.atmosphere, answers.cost});
 }
 

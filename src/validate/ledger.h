@@ -12,7 +12,7 @@ namespace airlight::validation {
 struct LedgerRow {
   std::string model, atmosphere;  ///< the contestant's name
   std::string quantity;           ///< "radiance", "luminance", "transmittance" or "sky_irradiance"
-  std::string condition;          ///< "all", "sun 10", "from 10 km", ...
+  std::string condition;          ///< "all", "sun 10", "from 10 km", "past a low limb", ...
   Figure figure;                  ///< relative, of transmittance absolute
   std::size_t rays = 0, unanswered = 0;
   double colour_median = 0, colour_p90 = 0;  ///< CIEDE2000 of light made as bright as the truth

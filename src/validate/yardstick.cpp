@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <cmath>
 #include <fstream>
 #include <functional>
 #include <map>
@@ -85,6 +86,16 @@ Ray read_ray(const Json& line) {
   Ray ray{.altitude = line.at("altitude"), .view = towards("view"), .sun = towards("sun")};
   if (line.contains("distance")) ray.distance = line.at("distance");
   return ray;
+}
+
+LowView low_view(const Ray& ray, double ground_radius) {
+  constexpr double just_below = 1 * degree, low = 3e3;
+  const double down = -ray.view[2], radius = ground_radius + ray.altitude;
+  if (!(down > 0 && ray.altitude > 0)) return LowView::none;
+  const double lowest = radius * std::sqrt((1 - down) * (1 + down)) - ground_radius;
+  if (lowest > 0) return lowest < low && ray.distance >= radius * down ? LowView::limb : LowView::none;
+  return std::asin(std::min(down, 1.0)) - std::acos(ground_radius / radius) < just_below ? LowView::ground
+                                                                                         : LowView::none;
 }
 
 Yardstick read_yardstick(const std::string& folder, std::optional<std::size_t> first) {

@@ -17,6 +17,12 @@ struct YardstickRay {
   std::vector<double> value, standard_error;  ///< for each wavelength, in the quantity's unit
 };
 
+/// Where light crosses the most air: to the ground less than a degree below the horizon; or past the ground, through a lowest
+/// point below both the observer and 3 km. A segment counts where it reaches that point, and whatever its length where it
+/// looks to the ground.
+enum class LowView { none, ground, limb };
+LowView low_view(const Ray& ray, double ground_radius);
+
 struct Yardstick {
   std::vector<double> wavelengths;  ///< [nm] of every ray
   std::vector<YardstickRay> rays;   ///< those that have been solved, in the order in which they were; then irradiances

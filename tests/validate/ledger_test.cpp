@@ -64,6 +64,29 @@ TEST(Ledger, unanswered_rays_are_told) {
   EXPECT_EQ(find_row(ledger, "single", "earth", "radiance", "all")->unanswered, 1u);
 }
 
+TEST(Ledger, low_views_have_rows_of_their_own) {
+  Yardstick yardstick = two_rays();                    // both look up
+  for (const double elevation : {-0.8, -0.5, -0.1}) {  // from 300 m the horizon is 0.56 degrees below level
+    YardstickRay low = yardstick.rays[0];
+    low.ray.altitude = 300;
+    low.ray.view = direction(0, elevation * 0.017453292519943295);
+    yardstick.rays.push_back(low);
+  }
+  ModelAnswers answers = answers_of({0.1, 0.1, 0.1, 0.1}, {});
+  for (const auto& [place, value] : std::vector<std::pair<std::size_t, double>>{{2, 0.2}, {3, 0.15}, {4, 0.1}})
+    answers.rays.push_back({place, std::vector(4, value), {}});
+  Ledger ledger;
+  add_rows(ledger, yardstick, answers, 1);
+  const LedgerRow* ground = find_row(ledger, "single", "earth", "radiance", "just below the horizon");
+  const LedgerRow* limb = find_row(ledger, "single", "earth", "radiance", "past a low limb");
+  ASSERT_TRUE(ground && limb);
+  EXPECT_EQ(ground->rays, 1u);
+  EXPECT_NEAR(ground->figure.median, 1, 1e-12);
+  EXPECT_EQ(limb->rays, 2u);
+  EXPECT_NEAR(limb->figure.worst, 0.5, 1e-12);
+  EXPECT_NEAR(limb->figure.bias, 0.25, 1e-12);
+}
+
 TEST(Ledger, what_became_worse_is_named_and_nothing_else) {
   Ledger good, bad;
   add_rows(good, two_rays(), answers_of({0.1, 0.1, 0.1, 0.11}, {0, 0, 0, 0}), 1);
