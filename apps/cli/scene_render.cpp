@@ -151,7 +151,7 @@ void ScenePictureOptions::apply(Scene& scene) const {
 
 std::vector<Layer> ScenePictureOptions::layers(const std::vector<std::string>& outputs) const {
   std::vector<Layer> chosen = named_layers();
-  if (!chosen.empty() && std::ranges::none_of(outputs, [](const std::string& name) { return name.ends_with(".exr"); }))
+  if (!chosen.empty() && std::ranges::none_of(outputs, PictureFile::has_layers))
     throw InputError("--aov: layers go into an .exr; expected one after -o");
   return chosen;
 }

@@ -65,10 +65,34 @@ std::optional<int> descriptor_of(const std::string& path) {
   return {};
 }
 
+/// Where a name leads to.
+struct Destination {
+  std::string path;     // its links followed
+  int descriptor = -1;  // an open one, in place of a path
+  bool endless = false, exists = false;
+  struct stat status {};
+
+  explicit Destination(std::string name) : path(std::move(name)) {
+    std::error_code error;
+    for (int links = 0; !(descriptor = descriptor_of(path).value_or(-1), descriptor >= 0); ++links) {
+      const fs::path link = fs::read_symlink(path, error);
+      if (error) break;  // not a link
+      endless = links == 40;
+      if (endless) return;
+      path = (fs::path(path).parent_path() / link).string();
+    }
+    exists = descriptor >= 0 ? ::fstat(descriptor, &status) == 0 : ::stat(path.c_str(), &status) == 0;
+  }
+
+  bool direct() const { return descriptor >= 0 || (exists && !S_ISREG(status.st_mode)); }
+};
+
 }  // namespace
 
+bool OutputFile::is_direct(const std::string& target) { return Destination(target).direct(); }
+
 OutputFile::OutputFile(std::string target, Unfinished unfinished)
-    : target_(std::move(target)), destination_(target_), keep_(unfinished == Unfinished::keep) {
+    : target_(std::move(target)), keep_(unfinished == Unfinished::keep) {
   [[maybe_unused]] static const bool ignored = [] {
     std::signal(SIGXFSZ, SIG_IGN);
     std::signal(SIGPIPE, SIG_IGN);
@@ -77,26 +101,23 @@ OutputFile::OutputFile(std::string target, Unfinished unfinished)
   const auto refuse = [&](const std::string& why) { throw InputError("cannot write '" + target_ + "': " + why); };
   if (target_.empty()) refuse("the name is empty");
 
-  std::error_code error;
-  for (int links = 0; !(descriptor_ = descriptor_of(destination_).value_or(-1), descriptor_ >= 0); ++links) {
-    const fs::path link = fs::read_symlink(destination_, error);
-    if (error) break;  // not a link
-    if (links == 40) refuse("too many symbolic links");
-    destination_ = (fs::path(destination_).parent_path() / link).string();
-  }
-  struct stat status {};
-  const bool exists =
-      descriptor_ >= 0 ? ::fstat(descriptor_, &status) == 0 : ::stat(destination_.c_str(), &status) == 0;
+  const Destination destination(target_);
+  destination_ = destination.path;
+  descriptor_ = destination.descriptor;
+  const bool exists = destination.exists;
+  const auto mode = destination.status.st_mode;
+  if (destination.endless) refuse("too many symbolic links");
   if (descriptor_ >= 0 && !exists) refuse("the descriptor is not open");
-  if (exists && S_ISDIR(status.st_mode)) refuse("it is a folder");
+  if (exists && S_ISDIR(mode)) refuse("it is a folder");
   if (exists && descriptor_ < 0 && ::access(destination_.c_str(), W_OK) != 0) refuse(std::strerror(errno));
-  direct_ = descriptor_ >= 0 || (exists && !S_ISREG(status.st_mode));
+  direct_ = destination.direct();
 
   if (keep_ && direct_) {
     file_ = open_target();
     if (file_ < 0) refuse(std::strerror(errno));
     return;
   }
+  std::error_code error;
   fs::path folder = direct_ ? fs::temp_directory_path(error) : fs::path(destination_).parent_path();
   if (folder.empty()) folder = ".";
   if (!fs::is_directory(folder, error)) refuse("the folder '" + folder.string() + "' does not exist");
@@ -118,7 +139,7 @@ OutputFile::OutputFile(std::string target, Unfinished unfinished)
         [&] { return ::open(temporary_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, direct_ ? 0600 : 0666); });
   } while (file_ < 0 && errno == EEXIST);
   if (file_ < 0) refuse("a file cannot be made in '" + folder.string() + "': " + std::strerror(errno));
-  if (exists && !direct_) ::fchmod(file_, status.st_mode & 07777);  // as if it had been opened and overwritten
+  if (exists && !direct_) ::fchmod(file_, mode & 07777);  // as if it had been opened and overwritten
   if (keep_) return;
 
   for (name_ = Name::all; name_ && name_->taken.exchange(true); name_ = name_->next) {

@@ -35,6 +35,8 @@ class OutputFile {
 
   /// The target is a device, a pipe or a descriptor: commit() copies.
   bool direct() const { return direct_; }
+  /// What direct() would be, without touching anything.
+  static bool is_direct(const std::string& target);
 
   /// Appends to the temporary file, for text and other streams; what is to be kept holds whole appends only. @throws
   /// WorkError naming the target and the reason.

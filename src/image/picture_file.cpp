@@ -21,14 +21,26 @@ namespace {
 
 enum class Kind { exr, hdr, png };
 
-Kind kind_of(const OutputFile& file) {
-  std::string ending = std::filesystem::path(file.target()).extension().string();
+std::string ending_of(const std::string& path) {
+  std::string ending = std::filesystem::path(path).extension().string();
   std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
+  return ending;
+}
+
+/// None: the name does not say, and is no device or pipe.
+std::optional<Kind> kind_of(const std::string& path) {
+  const std::string ending = ending_of(path);
   if (ending == ".exr") return Kind::exr;
   if (ending == ".hdr") return Kind::hdr;
   if (ending == ".png") return Kind::png;
-  if (file.direct()) return Kind::exr;
-  throw InputError("cannot write '" + file.target() + "': the ending '" + ending + "' is not one of .exr, .hdr, .png");
+  if (OutputFile::is_direct(path)) return Kind::exr;
+  return {};
+}
+
+Kind kind_of(const OutputFile& file) {
+  if (const auto kind = kind_of(file.target())) return *kind;
+  throw InputError("cannot write '" + file.target() + "': the ending '" + ending_of(file.target()) +
+                   "' is not one of .exr, .hdr, .png");
 }
 
 /// Components that a format can hold [cd/m^2].
@@ -44,6 +56,8 @@ Range range_of(Kind kind, const PictureFormat& format) {
 std::string counted(long n, const char* what) { return std::to_string(n) + (n == 1 ? " pixel " : " pixels ") + what; }
 
 }  // namespace
+
+bool PictureFile::has_layers(const std::string& path) { return kind_of(path) == Kind::exr; }
 
 struct PictureFile::Impl {
   Impl(const std::string& path, int w, int h, const PictureFormat& f, const Metadata& m)

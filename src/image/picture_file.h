@@ -50,6 +50,9 @@ class PictureFile {
   PictureFile(const std::string& path, int width, int height, const PictureFormat& format, const Metadata& metadata);
   ~PictureFile();  ///< not finished: the temporary file is removed
 
+  /// A file of that name is EXR, and takes layers.
+  static bool has_layers(const std::string& path);
+
   /// Rows [begin, end), consecutive from 0; RGBA, alpha is not written.
   /// @param layers  one for each of the format's; formats other than EXR pass over them
   void write_rows(int begin, int end, std::span<const float> rgba, std::span<const LayerRows> layers = {});

@@ -114,6 +114,18 @@ TEST(Render, chosen_layers_alone_are_written) {
   EXPECT_FALSE(picture.layers.contains("surface.R"));
 }
 
+// What counts is how the file is written, not how its ending is spelled.
+TEST(Render, layers_go_into_whatever_is_written_as_exr) {
+  const Folder folder;
+  write_file(folder / "scene.toml", scene_text);
+  for (const char* name : {"u.EXR", "/dev/stdout"}) {
+    const Outcome outcome = run(folder, {"render", "scene.toml", "--size", "16", "-o", name, "--aov", "depth"});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    if (!outcome.out.empty()) write_file(folder / "piped.exr", outcome.out);
+  }
+  for (const char* name : {"u.EXR", "piped.exr"}) EXPECT_TRUE(read_picture(folder / name).layers.contains("Z")) << name;
+}
+
 TEST(Render, a_cube_has_six_faces) {
   const Folder folder;
   std::string scene = scene_text;
