@@ -93,6 +93,12 @@ std::string about_extras(const CLI::App& program, const CLI::App* verb, const st
 
 }  // namespace
 
+int CommandLine::refuse(const CLI::App* verb, const std::string& why) const {
+  const std::string name = verb ? app_->get_name() + ' ' + verb->get_name() : app_->get_name();
+  fmt::print(stderr, "{}: {}\n`{} --help` lists all {}.\n", name, why, name, verb ? "options" : "commands");
+  return bad_input;
+}
+
 CommandLine::CommandLine(const std::string& program, const std::string& about, const std::string& version,
                          const std::string& footer)
     : app_(std::make_unique<CLI::App>(about, program)), footer_(footer) {
@@ -111,23 +117,22 @@ int CommandLine::run(int argc, char** argv) {
   app_->footer(footer_);  // after all verbs were made, which would inherit it
   std::vector<std::string> words(argv + 1, argv + argc);
   if (!words.empty() && words.front() == "help") {  // airlight help sky
+    if (words.size() > 2)
+      return refuse(nullptr, fmt::format("help: '{}': one word more than expected, help or help COMMAND", words[2]));
     words.erase(words.begin());
-    words.resize(std::min(words.size(), std::size_t{1}));
     words.emplace_back("--help");
   }
   std::ranges::reverse(words);  // as CLI11 takes them
   try {
     app_->parse(words);
-  } catch (const CLI::Success& done) {
-    return app_->exit(done);
   } catch (const CLI::ParseError& error) {
     const auto verbs = app_->get_subcommands();
     const CLI::App* const verb = verbs.empty() ? nullptr : verbs.front();
     const std::vector<std::string> extras = app_->remaining(true);
-    const std::string name = verb ? app_->get_name() + ' ' + verb->get_name() : app_->get_name();
-    fmt::print(stderr, "{}: {}\n`{} --help` lists all {}.\n", name,
-               extras.empty() ? error.what() : about_extras(*app_, verb, extras), name, verb ? "options" : "commands");
-    return bad_input;
+    // CLI11 gives its general help on what is no command.
+    const bool done = dynamic_cast<const CLI::Success*>(&error);
+    if (done && (verb || extras.empty())) return app_->exit(error);
+    return refuse(verb, extras.empty() ? error.what() : about_extras(*app_, verb, extras));
   }
   if (chosen_) return chosen_();
   std::fputs(app_->help().c_str(), stderr);

@@ -76,6 +76,9 @@ class CommandLine {
   int run(int argc, char** argv);
 
  private:
+  /// @param verb  whose words they are; null: the program's own
+  int refuse(const CLI::App* verb, const std::string& why) const;
+
   std::unique_ptr<CLI::App> app_;
   std::string footer_;
   Command chosen_;

@@ -43,9 +43,11 @@ int parse_whole(std::string_view text, std::string_view name, const Interval& in
 }
 
 Size parse_size(std::string_view text, std::string_view name, const Interval& interval) {
-  if (text.find_first_not_of("0123456789+-.eExX") != std::string_view::npos)
-    throw InputError(fmt::format("{} = {}: {} a side, WIDTHxHEIGHT or one number", name, text, expected(interval)));
   const std::size_t cross = text.find_first_of("xX");
+  const bool whole = !text.empty() && cross != 0 && cross != text.size() - 1;
+  if (!whole || cross != text.find_last_of("xX") ||
+      text.find_first_not_of("0123456789+-.eExX") != std::string_view::npos)
+    throw InputError(fmt::format("{} = {}: {} a side, WIDTHxHEIGHT or one number", name, text, expected(interval)));
   Size size{parse_whole(text.substr(0, cross), name, interval), {}};
   if (cross != std::string_view::npos) size.height = parse_whole(text.substr(cross + 1), name, interval);
   return size;

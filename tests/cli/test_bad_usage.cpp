@@ -23,6 +23,9 @@ std::vector<std::string> sun(const std::string& elevation) {
 std::vector<std::string> output(const std::string& file) {
   return {"sky", "--sun-elevation", "30", "--size", "8x4", "-o", file};
 }
+std::vector<std::string> size(const std::string& sides) {
+  return {"sky", "--sun-elevation", "30", "-o", "x.exr", "--size", sides};
+}
 std::vector<std::string> at(const std::string& place, const std::string& time) {
   return {"sky", "-o", "x.exr", "--place", place, "--time", time};
 }
@@ -37,6 +40,13 @@ const std::vector<Bad>& bad_words() {
       {{"sunset"}, {"airlight: sunset: unknown command", "airlight --help"}},
       {{"planet"}, {"planet: unknown command; did you mean planets?"}},
       {{"--verbose"}, {"--verbose: unknown option; a command comes first"}},
+      {{"help", "skyy"}, {"airlight: skyy: unknown command; did you mean sky?", "airlight --help"}},
+      {{"help", "nosuch"}, {"airlight: nosuch: unknown command"}},
+      {{"help", "help"}, {"airlight: help: unknown command"}},
+      {{"help", "--json"}, {"--json: unknown option; a command comes first"}},
+      {{"help", "sky", "nonsense"}, {"airlight: help: 'nonsense': one word more than expected"}},
+      {{"help", "planets", "mars"}, {"airlight: help: 'mars': one word more than expected"}},
+      {{"skyy", "--help"}, {"airlight: skyy: unknown command; did you mean sky?"}},
       {{"sky", "--sun-elevation", "30"}, {"--output", "required"}},
       {{"sky", "-o", "x.exr"}, {"--place", "--time", "--sun-elevation"}},
       {sky({"--tint", "blue"}), {"airlight sky: --tint: unknown option", "airlight sky --help"}},
@@ -93,9 +103,11 @@ const std::vector<Bad>& bad_words() {
       {{"sky", "--sun-elevation", "30", "-o", "x.exr", "--size", "0x4"}, {"--size = 0", "1 .. 65536 pixels"}},
       {{"sky", "--sun-elevation", "30", "-o", "x.exr", "--size", "2.5"}, {"--size = 2.5", "whole"}},
       {{"sky", "--sun-elevation", "30", "-o", "x.exr", "--size", "1e9"}, {"--size = 1e9"}},
-      {{"sky", "--sun-elevation", "30", "-o", "x.exr", "--size", "4x4x4"}, {"--size"}},
-      {{"sky", "--sun-elevation", "30", "-o", "x.exr", "--size", "8,4"},
-       {"--size = 8,4: expected 1 .. 65536 pixels a side, WIDTHxHEIGHT or one number"}},
+      {size("4x4x4"), {"--size = 4x4x4: expected 1 .. 65536 pixels a side, WIDTHxHEIGHT or one number"}},
+      {size("8,4"), {"--size = 8,4: expected 1 .. 65536 pixels a side, WIDTHxHEIGHT or one number"}},
+      {size("8x"), {"--size = 8x: expected 1 .. 65536 pixels a side, WIDTHxHEIGHT or one number"}},
+      {size("X8"), {"--size = X8: expected 1 .. 65536 pixels a side, WIDTHxHEIGHT or one number"}},
+      {size("x"), {"--size = x: expected 1 .. 65536 pixels a side, WIDTHxHEIGHT or one number"}},
       {{"sky", "--sun-elevation", "30", "-o", "x.exr", "--size", "8x4", "--projection", "cube"},
        {"--size = 8x4", "square"}},
       {sky({"--projection", "perspective", "--field-of-view", "180"}), {"--field-of-view", "180", "170"}},
