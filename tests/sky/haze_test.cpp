@@ -80,22 +80,25 @@ TEST(haze, the_tables_agree_with_marched_rays) {
   }
 }
 
-// Marched rays that end on the ground sphere, give or take a rounding, bring the air's light alone: that of the ground is the caller's.
-// Rays without an end bring all there is.
+// Marched rays that end on the ground sphere, give or take a rounding, or are said to end beyond it, bring the air's light alone: that of the
+// ground is the caller's. Rays without an end bring all there is. All are asked at once.
 TEST(haze, of_marched_rays_leaves_the_ground_out) {
   constexpr double altitude = 400'000, radius = 6.371e6;
   const Direction sun = direction(0.5, 20 * deg);
-  for (const char* model : {"single", "skyview"}) {
+  const std::pair<const char*, Parameters> models[] = {
+      {"single", {}}, {"skyview", {}}, {"precomputed", {{"detail", "draft"}}}};
+  for (const auto& [model, parameters] : models) {
     Atmosphere air = built_in_atmosphere("earth");
     air.planet.ground_radius = radius;
-    const Sky sky(air, model);
+    const Sky sky(air, model, make_engine("simd"), parameters);
     std::vector<Sight> points;
     std::vector<Ray> rays;
     for (int i = 0; i < 64; ++i) {
       const Direction view = direction(0.1 * i, -(30 + 0.9 * i) * deg);
       const double along = -(radius + altitude) * view[2];
       const double ground = along - std::sqrt(along * along - altitude * (2 * radius + altitude));
-      for (const double distance : {ground, ground * (1 + 1e-6), std::numeric_limits<double>::infinity()}) {
+      for (const double distance :
+           {ground * (1 - 1e-6), ground, ground * (1 + 1e-6), 1.5 * ground, std::numeric_limits<double>::infinity()}) {
         points.push_back({view, distance});
         rays.push_back({altitude, view, sun, distance});
       }
@@ -110,6 +113,10 @@ TEST(haze, of_marched_rays_leaves_the_ground_out) {
       EXPECT_NEAR(h.inscatter[i] / (ends ? path[i] : whole[i]), 1, 1e-5) << model << ' ' << i;
       if (!ends) {
         EXPECT_GT(whole[i], 1.03 * path[i]);
+        // Between the ends that are said of one line there is no air, or a metre of eight kilometres.
+        for (std::size_t said = 1; said <= 4; ++said)
+          EXPECT_NEAR(h.inscatter[i - said * wavelengths.size()] / path[i], 1, 1e-3)
+              << model << ' ' << i << ' ' << said;
       }
     }
   }
