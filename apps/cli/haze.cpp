@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <deque>
 #include <filesystem>
+#include <functional>
 
 #include "airlight/error.h"
 #include "command_line.h"
@@ -26,11 +28,10 @@
 namespace airlight::cli {
 namespace {
 
-/// One of a scene's lights, as the eye sees it.
+/// One of a scene's lights.
 struct LightOverLand {
   PlacedLight light;
-  Direction direction;  // in the eye's frame
-  std::optional<AirShadows> shadows;
+  Direction direction, at_eye;  // towards it, in the scene's frame and the eye's
 };
 
 /// All that surrounds the picture: where it was seen from, in which air and light.
@@ -41,10 +42,22 @@ struct Surroundings {
   SunPlace sun;
   std::string model;
   std::optional<std::array<double, 3>> eye;  // in the file's axes and unit
-  std::optional<AirShadows> shadows;
-  std::optional<bool> asked_shadows;
   std::vector<LightOverLand> more_lights;
+  /// Those of the scene's land in a light of that angular radius [rad]; empty: there is no land, or they are not wanted.
+  std::function<AirShadows(const Direction& towards, double angular_radius)> cast_shadows;
+  std::optional<bool> asked_shadows;
 };
+
+/// The model that is asked for, or else the usual one.
+std::string model_for(const HazeOptions& options, const std::string& usual) {
+  const std::string name = options.model.empty() ? usual : options.model;
+  if (!model_info(name).colours) return name;
+  std::string able;
+  for (const ModelInfo& model : models())
+    if (!model.colours) able += fmt::format("{}{}", able.empty() ? "" : ", ", model.name);
+  throw InputError(fmt::format(
+      "model {}: draws in red, green and blue, haze asks for light at wavelengths; expected one of {}", name, able));
+}
 
 /// The file's point in the scene's frame [m], and back.
 Position to_scene(const std::array<double, 3>& p, UpAxis up, double unit) {
@@ -96,7 +109,7 @@ Surroundings plain_surroundings(const HazeOptions& options, const InputPicture& 
     s.settings.altitude = options.altitude.value_or(2);
   }
   s.settings.sun = s.sun.direction();
-  s.model = "skyview";
+  s.model = model_for(options, "skyview");
   return s;
 }
 
@@ -104,8 +117,9 @@ Surroundings scene_surroundings(const HazeOptions& options, const InputPicture& 
   Surroundings s;
   Scene scene = load_scene(options.scene);
   s.air = scene.air;
-  s.model = scene.picture.model;
-  const Land land(scene.land);
+  s.model = model_for(options, scene.picture.model);
+  const auto shared_land = std::make_shared<const Land>(scene.land);
+  const Land& land = *shared_land;
   PlacedCamera placed;
   if (options.exr_camera) {
     Camera camera = scene.camera.camera;
@@ -136,23 +150,20 @@ Surroundings scene_surroundings(const HazeOptions& options, const InputPicture& 
   s.sun.azimuth = sun.azimuth / degree;
   s.sun.elevation = sun.elevation / degree;
   s.sun.distance = sun.distance;
-  const Direction to_sun = direction(sun.azimuth, sun.elevation);
-  s.settings.sun = placed.from_scene(to_sun);
-  s.asked_shadows = options.no_air_shadows ? false : scene.picture.air_shadows;
-  const auto shadows = [&](const Direction& towards, double angular_radius) -> std::optional<AirShadows> {
-    if (!scene.has_land || s.asked_shadows == false) return {};
-    ShadowGrid grid;
-    grid.east = placed.eye[0];
-    grid.north = placed.eye[1];
-    const SceneOptions usual;
-    return air_shadows(shadow_map(land, towards, angular_radius, grid), placed, usual.shadow_steps);
-  };
-  s.shadows = shadows(to_sun, s.air.sun.angular_radius / sun.distance);
+  s.settings.sun = placed.from_scene(s.sun.direction());
   for (const SceneLight& light : scene.lights) {
     const PlacedLight there = place_light(light, s.air.sun, land.origin());
     const Direction towards = direction(there.azimuth, there.elevation);
-    s.more_lights.push_back({there, placed.from_scene(towards), shadows(towards, there.source.angular_radius)});
+    s.more_lights.push_back({there, towards, placed.from_scene(towards)});
   }
+  s.asked_shadows = options.no_air_shadows ? false : scene.picture.air_shadows;
+  if (!scene.has_land || s.asked_shadows == false) return s;
+  s.cast_shadows = [shared_land, placed](const Direction& towards, double angular_radius) {
+    ShadowGrid grid;
+    grid.east = placed.eye[0];
+    grid.north = placed.eye[1];
+    return air_shadows(shadow_map(*shared_land, towards, angular_radius, grid), placed, SceneOptions{}.shadow_steps);
+  };
   return s;
 }
 
@@ -205,22 +216,28 @@ int run_haze(const HazeOptions& options) {
   const auto sky_of = [&](const Sun& sun) {
     Atmosphere air = s.air;
     air.sun = sun;
-    return Sky(std::move(air), options.model.empty() ? s.model : options.model, engine);
+    return Sky(std::move(air), s.model, engine);
   };
   const Sky sky = sky_of(s.air.sun);
-  const bool shaded = s.shadows && shades_air(sky, s.settings.altitude, s.asked_shadows);
-  if (s.shadows && !shaded) tell_warnings({unshaded_note(sky)});
-  s.settings.shadows = shaded ? &*s.shadows : nullptr;
+  const bool shaded = s.cast_shadows && shades_air(sky, s.settings.altitude, s.asked_shadows);
+  if (s.cast_shadows && !shaded) tell_warnings({unshaded_note(sky)});
   std::vector<Sky> more_skies;
   for (const LightOverLand& more : s.more_lights) more_skies.push_back(sky_of(more.light.source));
-  for (std::size_t i = 0; i < more_skies.size(); ++i) {
-    const LightOverLand& more = s.more_lights[i];
-    s.settings.more_lights.push_back({&more_skies[i], more.direction, shaded ? &*more.shadows : nullptr});
-  }
 
   std::vector<float> distance = input.read_distance(meaning, s.view, bad_is_sky);
   std::vector<float> rgba = input.read_color(options.scale);
   mend_edges(picture.width, picture.height, distance, rgba);
+
+  std::deque<AirShadows> shadows;  // which stay where they are
+  const auto shadows_in = [&](const Sky& lit, const Direction& towards) -> const AirShadows* {
+    if (!shaded) return nullptr;
+    return &shadows.emplace_back(s.cast_shadows(towards, lit.atmosphere().sun.angular_radius));
+  };
+  s.settings.shadows = shadows_in(sky, s.sun.direction());
+  for (std::size_t i = 0; i < more_skies.size(); ++i) {
+    const LightOverLand& more = s.more_lights[i];
+    s.settings.more_lights.push_back({&more_skies[i], more.at_eye, shadows_in(more_skies[i], more.direction)});
+  }
 
   if (input.has_alpha()) format.layers = {"A"};
   Metadata metadata{{"Software", version()},

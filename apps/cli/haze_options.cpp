@@ -144,7 +144,7 @@ void HazeOptions::add_to(const Verb& verb) {
   air.add_to(verb);
   const Option scene_option = verb.option("--scene", scene,
                                           "air, sun, camera and land of a scene file in place of these options; land "
-                                          "casts its shadows into the air")
+                                          "casts shadows into the air where the model can")
                                   .group("Air")
                                   .type_name("FILE");
   for (const char* name : {"--planet", "--aerosol-optical-depth", "--angstrom", "--ozone", "--place", "--time",
