@@ -15,6 +15,7 @@
 #include "command_line.h"
 #include "commands.h"
 #include "digest.h"
+#include "engine/source_version.h"
 #include "frame_names.h"
 #include "image/tone.h"
 #include "interrupt.h"
@@ -191,9 +192,10 @@ class Sequence {
     Digest digest;
     const ScenePictureOptions& p = options_.picture;
     for (const std::string& piece :
-         {std::string(version()), std::to_string(number), frame.text, to_toml(scene.air), p.size, p.aov, p.engine,
-          scene.picture.model, scene.picture.tone, std::to_string(scene.picture.samples), std::to_string(p.full_float),
-          std::to_string(p.no_sun), std::to_string(p.no_air_shadows),
+         {std::string(version()), std::to_string(source_version()), std::to_string(number), frame.text,
+          to_toml(scene.air), p.size, p.aov, p.engine, scene.picture.model, scene.picture.tone,
+          std::to_string(scene.picture.samples), std::to_string(p.full_float), std::to_string(p.no_sun),
+          std::to_string(p.no_air_shadows),
           format.exposure_ev ? fmt::format("{}", *format.exposure_ev) : std::string("auto")})
       digest.add(piece);
     if (const auto own = frame.scene.parameters.find(scene.picture.model); own != frame.scene.parameters.end())

@@ -5,6 +5,7 @@
 
 #include "commands.h"
 #include "engine/source_version.h"
+#include "judging_version.h"
 #include "text_output.h"
 
 namespace airlight::cli {
@@ -23,7 +24,8 @@ std::optional<Json> read_json(const std::string& path) {
 }
 
 Unfinished::Unfinished(std::string folder, Json key)
-    : folder_(std::move(folder)), key_{{"version", version()}, {"sources", source_version()}, {"of", std::move(key)}} {}
+    : folder_(std::move(folder)),
+      key_{{"version", version()}, {"sources", {source_version(), judging_version()}}, {"of", std::move(key)}} {}
 
 std::optional<Json> Unfinished::find(const std::string& part) const {
   auto json = read_json(path(part));

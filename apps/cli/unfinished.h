@@ -12,8 +12,8 @@ std::optional<nlohmann::ordered_json> read_json(const std::string& path);
 class Unfinished {
  public:
   /// @param folder  made when the first part is kept
-  /// @param key     what the parts depend on: those of another key, another version of the program or other
-  ///                kernels, are not taken
+  /// @param key     what the parts depend on: those of another key, of another version of the program, or computed by
+  ///                other sources, are not taken
   Unfinished(std::string folder, nlohmann::ordered_json key);
 
   std::optional<nlohmann::ordered_json> find(const std::string& part) const;

@@ -8,11 +8,13 @@
 
 #include "airlight/error.h"
 #include "commands.h"
+#include "digest.h"
 #include "interrupt.h"
 #include "model/model.h"
 #include "model_options.h"
 #include "options.h"
 #include "progress.h"
+#include "scenefile/atmosphere_file.h"
 #include "text_output.h"
 #include "unfinished.h"
 #include "validate.h"
@@ -79,12 +81,27 @@ std::shared_ptr<Engine> watched_engine() {
   return engine;
 }
 
-Ledger make_ledger(const std::vector<Contestant>& judged, bool costs, const Yardstick& yardstick,
-                   const Unfinished& unfinished) {
+std::vector<std::string> atmospheres_of(const Yardstick& yardstick) {
   std::vector<std::string> atmospheres;
   for (const YardstickRay& ray : yardstick.rays)
     if (std::ranges::find(atmospheres, ray.atmosphere) == atmospheres.end()) atmospheres.push_back(ray.atmosphere);
   std::ranges::sort(atmospheres);
+  return atmospheres;
+}
+
+/// Names all that the answers depend on beside what computes them.
+Json key_of(const Yardstick& yardstick, const std::string& folder, bool costs) {
+  Digest text;
+  for (const char* file : {"rays", "values", "irradiance_rays", "irradiance_values"})
+    text.add_file(fmt::format("{}/{}.jsonl", folder, file));
+  for (const std::string& name : atmospheres_of(yardstick)) text.add(to_toml(built_in_atmosphere(name)));
+  return {
+      {"text", text.text()}, {"rays", yardstick.rays.size()}, {"wavelengths", yardstick.wavelengths}, {"costs", costs}};
+}
+
+Ledger make_ledger(const std::vector<Contestant>& judged, bool costs, const Yardstick& yardstick,
+                   const Unfinished& unfinished) {
+  const std::vector<std::string> atmospheres = atmospheres_of(yardstick);
   Ledger ledger{yardstick.wavelengths, yardstick.solved, yardstick.irradiances, {}, {}};
   Progress progress("validate");
   double done = 0;
@@ -126,8 +143,8 @@ int validate_ledger(const ValidateOptions& options) {
       throw InputError(fmt::format("--against = {}: {}", options.against, error.what()));
     }
   }
-  Yardstick yardstick =
-      read_yardstick(options.data + "/yardstick", before ? std::optional(before->solved) : std::nullopt);
+  const std::string folder = options.data + "/yardstick";
+  Yardstick yardstick = read_yardstick(folder, before ? std::optional(before->solved) : std::nullopt);
   if (options.quick)
     yardstick = at_wavelengths(yardstick, {1, 3, 4, 6});  // over the visible, in and out of ozone's band
   if (before && before->wavelengths != yardstick.wavelengths)
@@ -138,9 +155,7 @@ int validate_ledger(const ValidateOptions& options) {
   const std::vector<Contestant> judged = contestants(options);
   make_report_folder(options.folder);
   const bool costs = options.against.empty();  // whoever looks for what became worse does not ask
-  const Unfinished unfinished(
-      options.folder + "/unfinished",
-      {{"rays", yardstick.rays.size()}, {"wavelengths", yardstick.wavelengths}, {"costs", costs}});
+  const Unfinished unfinished(options.folder + "/unfinished", key_of(yardstick, folder, costs));
   const Ledger ledger = make_ledger(judged, costs, yardstick, unfinished);
   const std::string name = options.quick ? "quick" : "ledger", path = options.folder + '/' + name;
   write_text(path + ".json", as_json(ledger).dump(1) + '\n');
@@ -149,8 +164,8 @@ int validate_ledger(const ValidateOptions& options) {
   if (options.page.empty()) {
     write_text(path + ".md", as_markdown(ledger, name));
   } else {
-    const fs::path folder = fs::relative(options.folder, fs::absolute(options.page).parent_path());
-    page.write(as_markdown(ledger, (folder / name).string()));
+    const fs::path from_page = fs::relative(options.folder, fs::absolute(options.page).parent_path());
+    page.write(as_markdown(ledger, (from_page / name).string()));
   }
   unfinished.remove();
   fmt::print(stderr, "{}: {} rays, {} irradiances, {} figures\n", options.folder, ledger.solved, ledger.irradiances,

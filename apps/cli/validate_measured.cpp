@@ -8,12 +8,14 @@
 #include "airlight/error.h"
 #include "answers.h"
 #include "commands.h"
+#include "digest.h"
 #include "interrupt.h"
 #include "model/model.h"
 #include "number.h"
 #include "optics/colour.h"
 #include "options.h"
 #include "progress.h"
+#include "scenefile/atmosphere_file.h"
 #include "text_output.h"
 #include "unfinished.h"
 #include "validate.h"
@@ -75,11 +77,22 @@ std::vector<double> once(const Unfinished& unfinished, const std::string& part,
   return values;
 }
 
+std::string sky_file(const ValidateOptions& options) { return options.data + "/measured/measured_sky_20130527.json"; }
+std::string standard_file(const ValidateOptions& options) { return options.data + "/measured/astm_g173.csv"; }
+
+/// Names all that the answers depend on beside what computes them.
+Json key_of(const ValidateOptions& options) {
+  Digest text;
+  text.add_file(sky_file(options));
+  text.add_file(standard_file(options));
+  text.add(to_toml(built_in_atmosphere("earth")));
+  return {{"text", text.text()}, {"quick", options.quick}};
+}
+
 void add_measured_sky(Report& report, const ValidateOptions& options, const std::vector<std::string>& names,
                       const Unfinished& unfinished) {
-  const MeasuredSky sky = read_measured_sky(options.data + "/measured/measured_sky_20130527.json");
-  Answerers answerers =
-      answerers_for(air_of_measured_sky(sky, read_standard_spectrum(options.data + "/measured/astm_g173.csv")));
+  const MeasuredSky sky = read_measured_sky(sky_file(options));
+  Answerers answerers = answerers_for(air_of_measured_sky(sky, read_standard_spectrum(standard_file(options))));
   report.text +=
       "\nMeasured clear sky (Kider et al. 2014; air and error: data/measured/README.md), relative root mean square "
       "error; five scans,\n"
@@ -105,7 +118,7 @@ void add_measured_sky(Report& report, const ValidateOptions& options, const std:
 }
 
 void add_direct_spectrum(Report& report, const ValidateOptions& options) {
-  const DirectSpectrumError error = compare_with_g173(options.data + "/measured/astm_g173.csv");
+  const DirectSpectrumError error = compare_with_g173(standard_file(options));
   report.text += fmt::format(
       "\nDirect sunlight of ASTM G173-03: `earth` with {:g} Dobson units of ozone and an aerosol of optical depth {:g} "
       "at 500 nm and\n"
@@ -196,7 +209,7 @@ int validate_measured(const ValidateOptions& options) {
   const std::vector<std::string> names = judged(options);
   const PagePart page(options.page, "measured");
   make_report_folder(options.folder);
-  const Unfinished unfinished(options.folder + "/unfinished-measured", options.quick ? "quick" : "measured");
+  const Unfinished unfinished(options.folder + "/unfinished-measured", key_of(options));
   Report report;
   add_measured_sky(report, options, names, unfinished);
   add_direct_spectrum(report, options);

@@ -91,6 +91,58 @@ TEST(Validate, only_answers_to_the_same_questions_are_taken_from_an_unfinished_r
   }
 }
 
+void replace_all(const std::string& file, const std::string& old, const std::string& by) {
+  std::string text = read_file(file);
+  ASSERT_NE(text.find(old), std::string::npos) << file;
+  for (std::size_t at = 0; (at = text.find(old, at)) != std::string::npos; at += by.size())
+    text.replace(at, old.size(), by);
+  write_file(file, text);
+}
+
+/// Rays that moved since an unfinished run, and measurements, are asked anew: as many as before, but others.
+TEST(Validate, other_questions_of_the_same_number_are_asked_anew) {
+  const struct {
+    std::string part, unfinished, first, result, data, old, by;
+    Words words;
+  } cases[] = {{"yardstick",
+                "out/unfinished",
+                "out/quick.json",
+                "out/quick.csv",
+                "yardstick/rays.jsonl",
+                "\"sun_zenith\":30.0",
+                "\"sun_zenith\":31.0",
+                {"--model", "single", "--against", root + "/docs/validation/quick.json"}},
+               {"measured",
+                "out/unfinished-measured",
+                "out/measured.json",
+                "out/measured.md",
+                "measured/measured_sky_20130527.json",
+                "\"sun_zenith_deg\":46.2",
+                "\"sun_zenith_deg\":40.2",
+                {"--model", "skyview", "--measured"}}};
+  for (const auto& c : cases) {
+    SCOPED_TRACE(c.part);
+    const Folder folder;
+    std::filesystem::create_directory(folder / "data");
+    std::filesystem::copy(root + "/data/" + c.part, folder / ("data/" + c.part));
+    Words words{"validate", "--quick", "--data", "data", "-o", "out"};
+    words.insert(words.end(), c.words.begin(), c.words.end());
+    // Ends after the last part, as the first of its files cannot be written.
+    std::filesystem::create_directories(folder / c.first);
+    ASSERT_EQ(run(folder, words).code, 2);
+    ASSERT_FALSE(std::filesystem::is_empty(folder / c.unfinished));
+    std::filesystem::remove(folder / c.first);
+
+    ASSERT_NO_FATAL_FAILURE(replace_all(folder / ("data/" + c.data), c.old, c.by));
+    run(folder, words);  // may be worse than the ledger that it is held against
+    const std::string gone_on = read_file(folder / c.result);
+    std::filesystem::remove_all(folder / "out");
+    run(folder, words);
+    EXPECT_EQ(gone_on, read_file(folder / c.result));
+    EXPECT_FALSE(gone_on.empty());
+  }
+}
+
 TEST(Validate, only_the_part_between_the_marks_of_a_page_is_written_anew) {
   const Folder folder;
   write_file(folder / "page.md", "# Above\n<!-- ledger begin: here -->\nold\n<!-- ledger end -->\nbelow\n");

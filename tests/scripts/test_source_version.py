@@ -16,8 +16,8 @@ def number(sources):
         for name, text in sources.items():
             (root / name).parent.mkdir(parents=True, exist_ok=True)
             (root / name).write_text(text)
-        subprocess.run([sys.executable, TOOL, root, output, *(root / name for name in sources)], check=True)
-        return re.search(r"return (0x[0-9a-f]{16});", output.read_text()).group(1)
+        subprocess.run([sys.executable, TOOL, root, output, "a/b.h", "c", *(root / name for name in sources)], check=True)
+        return re.search(r'#include "a/b.h"\n.*airlight::c\(\) { return (0x[0-9a-f]{16});', output.read_text(), re.S).group(1)
 
 
 class SourceVersionTest(unittest.TestCase):
