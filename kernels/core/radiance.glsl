@@ -59,18 +59,24 @@ FN Vec4 sunlight_from(IN(Air) air, Table2 sunlight, Float altitude, Vec3 sun) {
 // Light from all directions is gathered in two passes, one ray a texel and then a sum: rays run side by side, and no texel turns
 // its loops more than 60000 times (Mesa's software driver leaves them after 65535, without a word).
 
-/// Direction of the upper hemisphere, one of 256: 16 rings of equal height and 16 azimuths on one side of the x axis, along which the Sun
-/// stands and which mirrors the other side [1]. What comes from there is kept times its weight.
+/// Direction of the upper hemisphere, one of 256: 16 rings and 16 azimuths on one side of the x axis, along which the Sun stands and which
+/// mirrors the other side [1]. What comes from there is kept times its weight.
 /// @param index [1] in 0..255
-/// @param weight [1]  z, as a level plane gets light, times its part of its ring, of which the mean is 1
-FN Vec3 hemisphere_direction(Float index, OUT(Float) weight) {
+/// @param mu_s [1] in -1..1
+/// @param weight [1]  z, as a level plane gets light, times the direction's part of the hemisphere, of which the mean is 1
+FN Vec3 hemisphere_direction(Float index, Float mu_s, OUT(Float) weight) {
+  // Dust and droplets glow about the Sun. Rings are of equal height, but the higher the Sun the closer they are about the zenith.
   Float ring = floor((index + 0.5) * (1.0 / 16.0));
-  Float z = (ring + 0.5) * (1.0 / 16.0);
-  // Dust and droplets glow about the Sun: azimuths are half as far apart there. They go round as evenly as a cosine does, and so a sum over
-  // them stays as good as one over even ones is for a smooth sky.
+  Float from_top = 1.0 - (ring + 0.5) * (1.0 / 16.0);
+  Float high = max(mu_s, 0.0);
+  Float crowd = 1.0 + 2.0 * high * high * high * high;
+  Float below = power(from_top, crowd);
+  Float z = 1.0 - below;
+  // Azimuths are half as far apart at the Sun's. They go round as evenly as a cosine does, and so a sum over them stays as good as one over
+  // even ones is for a smooth sky.
   Float even = (floor(index + 0.5) - 16.0 * ring + 0.5) * 0.196349540849362;
   Float azimuth = even - 0.5 * sin(even);
-  weight = z * (1.0 - 0.5 * cos(even));
+  weight = z * (crowd * below / from_top) * (1.0 - 0.5 * cos(even));
   Float across = sqrt(1.0 - z * z);
   return Vec3(across * cos(azimuth), across * sin(azimuth), z);
 }

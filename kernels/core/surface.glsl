@@ -25,11 +25,13 @@ FN Vec4 skylight_pass(IN(SurfaceGrid) grid, Table2 sky_light, Vec3 uvw) {
   Float across = sqrt((1.0 - z) * (1.0 + z));
   Float x = across * cos(azimuth);
   Float y = across * sin(azimuth);
-  Float from = band + grid.altitudes * floor(uvw.z * grid.suns);
+  Float slice = floor(uvw.z * grid.suns);
+  Float from = band + grid.altitudes * slice;
+  Float mu_s = grid.low_sun + (grid.high_sun - grid.low_sun) * slice * (1.0 / (grid.suns - 1.0));
   Vec4 sum = Vec4(0.0);
   for (int i = 0; i < 256; ++i) {
     Float kept = Float(0.0);
-    Vec3 d = hemisphere_direction(Float(i), kept);
+    Vec3 d = hemisphere_direction(Float(i), mu_s, kept);
     // The direction and its mirror image; the light has been multiplied by z and its part of the ring.
     Float level = x * d.x + z * d.z;
     Float weight = max(level + y * d.y, 0.0) + max(level - y * d.y, 0.0);

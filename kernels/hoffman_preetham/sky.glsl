@@ -139,7 +139,7 @@ FN Vec4 hoffman_preetham_sky_light_pass(IN(HoffmanPreetham) hoffman_preetham, Ta
   Vec4 at = fetch(suns, Float(0.0), floor(uv.y * height_of(suns)));
   Vec3 sun = sun_ahead(Vec3(at.y, at.z, at.w));
   Float weight = Float(0.0);
-  Vec3 view = hemisphere_direction(floor(uv.x * 256.0), weight);
+  Vec3 view = hemisphere_direction(floor(uv.x * 256.0), sun.z, weight);
   Vec3 depth = view;
   Vec3 light = hoffman_preetham_inscatter(hoffman_preetham, hoffman_preetham_rayleigh_dome(hoffman_preetham, view.z), hoffman_preetham_mie_dome(hoffman_preetham, view.z), one_minus_cos(view, sun), depth);
   light = light * hoffman_preetham_sunlight(hoffman_preetham, sun.z) * weight;

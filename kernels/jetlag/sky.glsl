@@ -71,7 +71,7 @@ FN Vec4 jetlag_sky_light_pass(IN(Jetlag) jetlag, IN(JetlagDrift) drift, Table2 n
   Vec4 eye = fetch(eyes, Float(0.0), floor(uv.y * height_of(eyes)));
   Vec4 at = fetch(suns, Float(0.0), floor(uv.y * height_of(suns)));
   Float weight = Float(0.0);
-  Vec3 view = hemisphere_direction(floor(uv.x * 256.0), weight);
+  Vec3 view = hemisphere_direction(floor(uv.x * 256.0), at.w, weight);
   Vec3 o = Vec3(Float(jetlag.eye.x), eye.x, Float(jetlag.eye.z));
   Vec4 transmittance = Vec4(0.0);
   Vec4 ground = Vec4(0.0);

@@ -31,7 +31,7 @@ FN Vec4 precomputed_sky_light_pass(IN(Air) air, IN(Lattice) lattice, IN(Sight) s
   Vec4 eye = fetch(eyes, Float(0.0), floor(uv.y * height_of(eyes)));
   Vec4 at = fetch(suns, Float(0.0), floor(uv.y * height_of(suns)));
   Float weight = Float(0.0);
-  Vec3 view = hemisphere_direction(floor(uv.x * 256.0), weight);
+  Vec3 view = hemisphere_direction(floor(uv.x * 256.0), at.w, weight);
   Vec4 ground = Vec4(0.0);
   return precomputed_ray_light(air, lattice, sight, march.panels, phases, layers, sunlit, sunlight, optical_depth, source, ground_light, seen, seen_peak, eye.x, view, sun_ahead(Vec3(at.y, at.z, at.w)), Float(1.0e30), ground) * weight;
 }

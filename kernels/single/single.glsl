@@ -20,7 +20,7 @@ FN Vec4 single_sky_light_pass(IN(Air) air, Table2 zones, Table2 profile, Table2 
   Vec4 eye = fetch(eyes, Float(0.0), floor(uv.y * height_of(eyes)));
   Vec4 at = fetch(suns, Float(0.0), floor(uv.y * height_of(suns)));
   Float weight = Float(0.0);
-  Vec3 view = hemisphere_direction(floor(uv.x * 256.0), weight);
+  Vec3 view = hemisphere_direction(floor(uv.x * 256.0), at.w, weight);
   Vec4 transmittance = Vec4(0.0);
   Vec4 ground = Vec4(0.0);
   return ray_light(air, 1, zones, profile, phases, sunlight, sunlight, sunlight, eye.x, view, sun_ahead(Vec3(at.y, at.z, at.w)), Float(1.0e30), transmittance, ground) * weight;

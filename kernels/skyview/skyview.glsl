@@ -55,7 +55,7 @@ FN Vec4 skyview_ground_directions_pass(IN(Air) air, IN(GridSize) size, Table2 zo
   Vec4 transmittance = Vec4(0.0);
   Vec4 ground = Vec4(0.0);
   Float weight = Float(0.0);
-  Vec3 view = hemisphere_direction(floor(uv.y * 256.0), weight);
+  Vec3 view = hemisphere_direction(floor(uv.y * 256.0), mu_s, weight);
   return ray_light(air, 2, zones, profile, phases, sunlight, multiple, sunlight, Float(0.0), view, sun, Float(1.0e30), transmittance, ground) * weight;
 }
 
@@ -198,7 +198,7 @@ FN Vec4 skyview_sky_light_pass(IN(Air) air, Table2 zones, Table2 profile, Table2
   Vec4 eye = fetch(eyes, Float(0.0), floor(uv.y * height_of(eyes)));
   Vec4 at = fetch(suns, Float(0.0), floor(uv.y * height_of(suns)));
   Float weight = Float(0.0);
-  Vec3 view = hemisphere_direction(floor(uv.x * 256.0), weight);
+  Vec3 view = hemisphere_direction(floor(uv.x * 256.0), at.w, weight);
   Vec4 transmittance = Vec4(0.0);
   Vec4 ground = Vec4(0.0);
   return ray_light(air, 2, zones, profile, phases, sunlight, multiple, sunlight, eye.x, view, sun_ahead(Vec3(at.y, at.z, at.w)), Float(1.0e30), transmittance, ground) * weight;
