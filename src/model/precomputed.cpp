@@ -14,7 +14,9 @@ namespace {
 constexpr double straight = 16 * std::numbers::pi / 180;
 
 struct Sizes {
-  int suns, altitudes, rings, sectors, zeniths, azimuths;
+  int suns, altitudes, rings, sectors;
+  int zeniths;  ///< odd: one of them is horizontal, where haze sends most
+  int azimuths;
   struct Seen {
     int suns, altitudes, ups, limbs, grounds, azimuths;
   } seen;
@@ -27,11 +29,11 @@ bool from_tables(const Situation& situation) {
 /// `full` is what docs/accuracy.md judges; `draft` answers at once, for tests and for a first look.
 Sizes sizes(const Situation& situation) {
   if (situation.parameters && situation.parameters->word("detail") == "draft")
-    return {24, 10, 8, 4, 8, 5, {28, 12, 14, 12, 8, 5}};
+    return {24, 10, 8, 4, 9, 5, {28, 12, 14, 12, 8, 5}};
   // There are two of the tables of what is seen where nothing is marched: smaller ones, so that all stay below 64 MiB.
   const Sizes::Seen seen =
       from_tables(situation) ? Sizes::Seen{64, 32, 24, 20, 12, 10} : Sizes::Seen{64, 40, 24, 20, 14, 14};
-  return {64, 24, 24, 10, 20, 10, seen};
+  return {64, 24, 24, 10, 21, 10, seen};
 }
 
 TablePass sized(std::string_view pass, Shape (*shape)(const Sizes&)) {
