@@ -10,7 +10,7 @@
 // Rows of the two tables below are directions and columns are Suns, so that the rays of one batch cross the same zones.
 
 /// Light that reaches a place of the multiple-scattering table from one direction (64 rows a place) scattered or reflected once, per
-/// solar irradiance [1/sr].
+/// solar irradiance [1/sr], times the direction's part of the sphere, of which the mean is 1.
 FN Vec4 skyview_multiple_directions_pass(IN(Air) air, IN(GridSize) size, Table2 zones, Table2 profile, Table2 phases, Table2 sunlight, Vec2 uv) {
   Scalar places = size.height * (1.0 / 64.0);
   Float row = floor(uv.y * size.height);
@@ -20,13 +20,15 @@ FN Vec4 skyview_multiple_directions_pass(IN(Air) air, IN(GridSize) size, Table2 
   Float altitude = multiple_place(air, Vec2(uv.x, (place + 0.5) * (1.0 / places)), size.width, places, mu_s);
   Vec3 sun = Vec3(sqrt(max((1.0 - mu_s) * (1.0 + mu_s), 0.0)), Float(0.0), mu_s);
   Float ring = floor((index + 0.5) * 0.125);
-  Float z = (ring + 0.5) * 0.25 - 1.0;
+  // Rings are closer to each other at the horizontal, where air is brightest.
+  Float side = (ring + 0.5) * 0.25 - 1.0;
+  Float z = side * abs(side);
   Float across = sqrt(max((1.0 - z) * (1.0 + z), 0.0));
   Float azimuth = (index - 8.0 * ring + 0.5) * 0.392699081698724;  // half a turn: the other half mirrors it
   Vec3 view = Vec3(across * cos(azimuth), across * sin(azimuth), z);
   Vec4 transmittance = Vec4(0.0);
   Vec4 ground = Vec4(0.0);
-  return ray_light(air, 1, zones, profile, phases, sunlight, sunlight, sunlight, altitude, view, sun, Float(1.0e30), transmittance, ground) + ground;
+  return (ray_light(air, 1, zones, profile, phases, sunlight, sunlight, sunlight, altitude, view, sun, Float(1.0e30), transmittance, ground) + ground) * (2.0 * abs(side));
 }
 
 /// The part of uniform light that arrives at an altitude (u, as v of the multiple-scattering table) from one of eight rings (v)
