@@ -13,7 +13,7 @@ struct Lattice {
   Scalar rings;      // [1] in 2..32   of directions that light comes from: half of them above the horizon, half below
   Scalar sectors;    // [1] in 2..32   of a ring, on one side of the Sun's plane, which mirrors the other
   Scalar zeniths;    // [1] in 2..32   zenith angles that light is sent into
-  Scalar azimuths;   // [1] in 2..32   azimuths that light is sent into, as precomputed_azimuth
+  Scalar azimuths;   // [1] in 2..32   azimuths that light is sent into
   Scalar panels;     // [1] in 3..64   of a ray, as precomputed_march takes them, while the tables are made
   Scalar straight;   // [1] in 0..1    sine of half the angle within which light counts as scattered straight on
 };
@@ -73,21 +73,12 @@ FN Vec3 precomputed_direction(IN(Lattice) lattice, Float index, Float horizon, O
   return Vec3(across * cos(azimuth), across * sin(azimuth), mu);
 }
 
-/// An azimuth from the Sun that light is sent into [radians], twice as close to its neighbours at the Sun as even ones: what haze sends there
-/// is a ridge.
-/// @param place [1] in 0..1
-FN Float precomputed_azimuth(Float place) { return place * (1.0 + place) * 1.5707963267949; }
-/// Its inverse [1].
-/// @param azimuth [radians] in 0..3.14159
-/// @bound 2e-5 scale 1   a root at the Sun
-FN Float precomputed_azimuth_place(Float azimuth) { return sqrt(0.25 + clamp(azimuth * 0.636619772367581, 0.0, 2.0)) - 0.5; }
-
 /// -ln of what the air sends into a direction, per solar irradiance and scattering coefficient [1/sr].
 FN Vec4 precomputed_source_at(IN(Air) air, IN(Lattice) lattice, Table3 source, Float altitude, Float mu, Float mu_s, Float nu) {
   Float across = sqrt(max((1.0 - mu) * (1.0 + mu), 0.0)) * sqrt(max((1.0 - mu_s) * (1.0 + mu_s), 0.0));
   // With the view or the Sun at the zenith azimuth means nothing, and the source does not depend on it.
   Float azimuth = arc_cosine((nu - mu * mu_s) / max(across, 1.0e-6));
-  Float w = half_texel(precomputed_azimuth_place(azimuth), lattice.azimuths);
+  Float w = half_texel(azimuth * 0.318309886183791, lattice.azimuths);
   Float u = half_texel(precomputed_sun_place(air, mu_s), lattice.suns);
   Float zenith = half_texel(arc_cosine(mu) * 0.318309886183791, lattice.zeniths);
   Float height = precomputed_altitude_place(air, lattice, altitude);

@@ -142,7 +142,7 @@ FN Vec4 precomputed_weight(IN(Air) air, IN(Lattice) lattice, Scalar least, Table
   Float row = floor(uv.y * lattice.azimuths * lattice.zeniths * lattice.altitudes);
   Float ring = floor((row + 0.5) * (1.0 / lattice.azimuths));
   Float band = floor((ring + 0.5) * (1.0 / lattice.zeniths));
-  Float azimuth = precomputed_azimuth((row - ring * lattice.azimuths) * (1.0 / (lattice.azimuths - 1.0)));
+  Float azimuth = (row - ring * lattice.azimuths) * (3.14159265358979 / (lattice.azimuths - 1.0));
   Float zenith = (ring - band * lattice.zeniths) * (3.14159265358979 / (lattice.zeniths - 1.0));
   Float across = sin(zenith);
   Vec3 sent = Vec3(across * cos(azimuth), across * sin(azimuth), cos(zenith));
