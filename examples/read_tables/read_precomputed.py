@@ -39,7 +39,8 @@ class Precomputed(Tables):
         across = math.sqrt(max(1 - mu * mu, 0)) * math.sqrt(max(1 - mu_s * mu_s, 0))
         w = math.acos(min(max((nu - mu * mu_s) / max(across, 1e-6), -1), 1)) / math.pi * (l["azimuths"] - 1)
         zenith = math.acos(min(max(mu, -1), 1)) / math.pi * (l["zeniths"] - 1)
-        place = math.sqrt(min(max(h / self.top, 0), 1)) * (l["altitudes"] - 1)
+        root = math.sqrt(min(max(h / self.top, 0), 1))
+        place = 3 * root / (root + 2) * (l["altitudes"] - 1)
         band, slice = min(int(place), int(l["altitudes"]) - 2), min(int(w), int(l["azimuths"]) - 2)
         row = lambda b, s: self.lookup("source", u, s * self.index["tables"]["source"]["height"] + b * l["zeniths"] + zenith)
         mix = lambda a, b, t: [x + t * (y - x) for x, y in zip(a, b)]

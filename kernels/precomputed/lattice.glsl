@@ -41,16 +41,19 @@ FN Float precomputed_sun(IN(Air) air, Float u) {
   return 0.3 * up / (0.585 - up) - 1.42857142857143 * precomputed_nightfall(air) * down / (1.33571428571429 - down);
 }
 
-/// One of the lattice's altitudes [m].
+/// One of the lattice's altitudes [m]. They crowd at the ground: the root s of an altitude over the air's goes as its place p does near the ground,
+/// by two thirds as much, and p = 3 s / (s + 2).
 /// @param index [1] in 0..2
 FN Float precomputed_altitude(IN(Air) air, IN(Lattice) lattice, Float index) {
   Float part = clamp(index * (1.0 / (lattice.altitudes - 1.0)), 0.0, 1.0);
-  return part * part * air.top_altitude;
+  Float root = 2.0 * part / (3.0 - part);
+  return root * root * air.top_altitude;
 }
 /// Its inverse: how many altitudes lie below one [1].
 /// @param altitude [m] in 0..1e4
 FN Float precomputed_altitude_place(IN(Air) air, IN(Lattice) lattice, Float altitude) {
-  return sqrt(clamp(altitude * (1.0 / air.top_altitude), 0.0, 1.0)) * (lattice.altitudes - 1.0);
+  Float root = sqrt(clamp(altitude * (1.0 / air.top_altitude), 0.0, 1.0));
+  return 3.0 * root / (root + 2.0) * (lattice.altitudes - 1.0);
 }
 
 /// One of the directions that light comes from; the x axis points to the Sun's azimuth [1]. Rings crowd at the horizon on both sides of it.

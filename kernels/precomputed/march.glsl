@@ -211,7 +211,7 @@ FN_SHARED Vec4 precomputed_march(IN(Air) air, IN(Lattice) lattice, int orders, V
   Bool begins_lit = dark > 0.0;
   Bool ends_lit = light_again < reach;
   // Sunlight is looked up at all points of a panel and needs panels further away as well; what is sent, at their ends alone.
-  Float crowd = select(panels.y > 0.5, Float(1.0), Float(0.65));
+  Float crowd = select(panels.y > 0.5, Float(1.0), Float(0.5));
   Float dusk = dark;
   if (any(shaded)) dusk = select(shaded, max(dark - precomputed_dawn(air, at, dark, Float(-1.0)), 0.0), dark);
   Vec4 piece0 = precomputed_piece(air, layers, at, Float(0.0), dark, Float(0.0), dusk, crowd);

@@ -29,10 +29,10 @@ bool from_tables(const Situation& situation) {
 /// `full` is what docs/accuracy.md judges; `draft` answers at once, for tests and for a first look.
 Sizes sizes(const Situation& situation) {
   if (situation.parameters && situation.parameters->word("detail") == "draft")
-    return {24, 10, 8, 4, 9, 5, {28, 12, 14, 12, 8, 5}};
+    return {24, 10, 8, 4, 9, 5, {28, 14, 10, 14, 8, 5}};
   // There are two of the tables of what is seen where nothing is marched: smaller ones, so that all stay below 64 MiB.
   const Sizes::Seen seen =
-      from_tables(situation) ? Sizes::Seen{64, 32, 24, 20, 12, 10} : Sizes::Seen{64, 40, 24, 20, 14, 14};
+      from_tables(situation) ? Sizes::Seen{64, 32, 20, 26, 12, 10} : Sizes::Seen{64, 40, 20, 40, 14, 12};
   return {64, 24, 24, 10, 21, 10, seen};
 }
 
@@ -53,7 +53,7 @@ Shape shape_of_seen(const Sizes& s) {
 }
 
 Fields fields(std::string_view argument, const Situation& situation) {
-  if (argument == "march") return {{"panels", {situation.parameters ? situation.parameters->number("panels") : 8.0}}};
+  if (argument == "march") return {{"panels", {situation.parameters ? situation.parameters->number("panels") : 9.0}}};
   const Sizes s = sizes(situation);
   if (argument == "sight")
     return {{"marched", {from_tables(situation) ? 0.0 : 1.0}},
@@ -83,7 +83,7 @@ Model precomputed_model() {
           "all orders of scattering, converged: the first marched, the others from tables; any planet, ground to space",
       // A horizontal ray has an optical depth of 10 at 390 nm: with 24 zones its steps cost 5 %, with 44 half of that.
       .air = {.zones = 44, .substeps = 1},
-      .tables = {{"core.optical_depth", {512, 128}},
+      .tables = {{"core.optical_depth", {512, 256}},
                  {"core.sunlight", {512, 128}},
                  {"precomputed.layers", {512, 5}},
                  {"precomputed.forward", {4, 1}},
@@ -134,7 +134,7 @@ Model precomputed_model() {
                       .text = "of a ray, with three points each: fewer are faster, more see thin layers",
                       .low = 3,
                       .high = 64,
-                      .otherwise = std::vector<double>{8}}},
+                      .otherwise = std::vector<double>{9}}},
   };
 }
 
