@@ -91,17 +91,23 @@ FN Float precomputed_sinh(Float x) {
 }
 
 /// How far from the edge of the planet's shadow the Sun shines on a ray with much light [m]: where it passes the ground at a twelfth of the air's
-/// height. At the edge itself, as umbra_along has it, all its light is lost on the way.
+/// height. At the edge itself, as umbra_along has it, all its light is lost on the way. A ray along the sunlight may never come there: no further
+/// than where it has climbed as much from its lowest point, above which there is less air to be seen.
 /// @param at [1] in -1..1  as of meet_air
 /// @param edge [m] in 0..1e5  path to the edge
 /// @param onward [1] in -1..1  1: the light is behind the edge, -1: before it
 /// @bound 1 scale 1e30   a place for panels, compared as part of the passes
 FN Float precomputed_dawn(IN(Air) air, Vec4 at, Float edge, Float onward) {
-  Scalar height = 0.08 * air.top_altitude + air.sun_radius * sqrt(2.0 * air.top_altitude * (air.ground_radius + air.top_altitude));
-  // The distance from the shadow's axis grows with a slope and a curvature.
-  Float slope = max(onward * ((air.ground_radius + at.x) * (at.y - at.z * at.w) + edge * (1.0 - at.w) * (1.0 + at.w)) * (1.0 / air.ground_radius), 0.0);
+  Scalar twelfth = 0.08 * air.top_altitude;
+  Scalar height = twelfth + air.sun_radius * sqrt(2.0 * air.top_altitude * (air.ground_radius + air.top_altitude));
+  Float radius = air.ground_radius + at.x;
+  // The distance from the shadow's axis grows with a slope and a curvature, and so does altitude.
+  Float slope = max(onward * (radius * (at.y - at.z * at.w) + edge * (1.0 - at.w) * (1.0 + at.w)) * (1.0 / air.ground_radius), 0.0);
   Float bend = max((1.0 - at.w) * (1.0 + at.w) - slope * slope, 0.0) * (2.0 * height / air.ground_radius);
-  return 2.0 * height / max(slope + sqrt(slope * slope + bend), 1.0e-6);
+  Float along = onward * (radius * at.y + edge);
+  Float climb = max(along, 0.0) * (1.0 / air.ground_radius);
+  Float lowest = max(-along, 0.0) + 2.0 * twelfth / (climb + sqrt(climb * climb + 2.0 * twelfth / air.ground_radius));
+  return min(2.0 * height / max(slope + sqrt(slope * slope + bend), 1.0e-6), lowest);
 }
 
 /// How the panels of a piece of a ray lie: x: path [m] at which the air that is seen is densest, around which they crowd; y: how fast light and air

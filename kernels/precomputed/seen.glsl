@@ -203,7 +203,7 @@ FN Vec2 precomputed_seen_place(IN(Air) air, IN(Sight) sight, Vec4 at, Bool hits,
     // height (the root of an altitude) times x: what straight lines between the bands miss of it comes on top.
     Float low = precomputed_seen_low(air, at.x, at.y);
     Float low_below = min(height * height * low / max(mix(band * band, height * height, low), 1.0e-6), 1.0);
-    Float low_above = min(height * height * low / mix(next * next, height * height, low), 1.0);
+    Float low_above = min(height * height * low / max(mix(next * next, height * height, low), 1.0e-6), 1.0);
     Float way_above = next * sqrt(1.0 - low_above);
     Float way = height * sqrt(1.0 - low) - (1.0 - higher) * band * sqrt(1.0 - low_below) - higher * way_above;
     more = select(past, max(way, 0.0) / max(way_above, 1.0e-6), more);
