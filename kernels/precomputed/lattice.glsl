@@ -41,8 +41,8 @@ FN Float precomputed_sun(IN(Air) air, Float u) {
   return 0.3 * up / (0.585 - up) - 1.42857142857143 * precomputed_nightfall(air) * down / (1.33571428571429 - down);
 }
 
-/// One of the lattice's altitudes [m]. They crowd at the ground: the root s of an altitude over the air's goes as its place p does near the ground,
-/// by two thirds as much, and p = 3 s / (s + 2).
+/// One of the lattice's altitudes [m]. They crowd at the ground: with s the root of an altitude over the air's height, its place is
+/// p = 3 s / (s + 2): steps of s are two thirds of even ones at the ground, one and a half times as long at the top.
 /// @param index [1] in 0..2
 FN Float precomputed_altitude(IN(Air) air, IN(Lattice) lattice, Float index) {
   Float part = clamp(index * (1.0 / (lattice.altitudes - 1.0)), 0.0, 1.0);

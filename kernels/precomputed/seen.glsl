@@ -35,7 +35,7 @@ FN Float precomputed_seen_low(IN(Air) air, Float altitude, Float mu) {
 FN Float precomputed_seen_limb_row(IN(Sight) sight, Float low) {
   return sqrt(low / (1.0 + sqrt(1.0 - low))) * (sight.limbs - 1.0) + sight.ups;
 }
-/// Row of a direction within the band of an altitude [1]. Rows crowd at the horizon and at the zenith.
+/// Row of a direction up, or to the ground, within the band of an altitude [1]. Rows crowd at the horizon and at the zenith.
 /// @param altitude [m] in 0..1e5
 /// @param mu [1] in -1..1
 /// @param hits [1] in 0..1  the ground
@@ -57,7 +57,7 @@ FN Float precomputed_seen_row(IN(Air) air, IN(Sight) sight, Float altitude, Floa
   down = clamp(down, 0.0, 1.0);
   Float above = sqrt(up / (2.0 - up)) * (sight.ups - 1.0);
   Float below = (1.0 - sqrt(0.04 * (1.0 - down) / (down + 0.04))) * (sight.grounds - 1.0) + (sight.ups + sight.limbs);
-  return select(hits, below, select(mu < 0.0, precomputed_seen_limb_row(sight, precomputed_seen_low(air, altitude, mu)), above));
+  return select(hits, below, above);
 }
 /// Its inverse: the zenith cosine of a row of a band [1], and the path of its ray.
 /// @param altitude [m] in 0..1e5
@@ -267,12 +267,12 @@ FN_SHARED Vec4 precomputed_ray_light(IN(Air) air, IN(Lattice) lattice, IN(Sight)
   Vec4 light = Vec4(0.0);
   Vec4 depth = Vec4(0.0);
   Vec4 marched = Vec4(0.0);
-  Vec4 whole_depth = Vec4(0.0);
+  Vec4 ahead = Vec4(0.0);
   Bool ends = reach < whole;
-  // What is marched knows its depth better than the table does, which is asked for the rest alone.
+  // What is marched knows its depth better than the table does, which is asked for what lies ahead of it alone.
   Vec4 from = at;
   if (any(ends)) from = select(ends, precomputed_along(air, at, reach), at);
-  if (sight.marched < 0.5 || any(ends)) whole_depth = precomputed_depth_between(air, optical_depth, from, precomputed_along(air, at, whole));
+  if (sight.marched < 0.5 || any(ends)) ahead = precomputed_depth_between(air, optical_depth, from, precomputed_along(air, at, whole));
   if (sight.marched > 0.5 || any(ends)) {
     // The source is looked up at the ends of panels alone: it wants more of them than sunlight does.
     int orders = 1;
@@ -292,12 +292,11 @@ FN_SHARED Vec4 precomputed_ray_light(IN(Air) air, IN(Lattice) lattice, IN(Sight)
       light = Vec4(0.0);
     }
   }
-  Vec4 rest_depth = whole_depth;
-  if (sight.marched > 0.5) whole_depth = depth;
-  whole_depth = select(ends, depth + rest_depth, whole_depth);
+  Vec4 whole_depth = select(ends, depth + ahead, depth);
+  if (sight.marched < 0.5) whole_depth = select(ends, whole_depth, ahead);
   Vec4 again = precomputed_seen(air, sight, seen, seen_peak, peak, at, down, whole, whole_depth);
   if (any(ends)) {
-    Vec4 rest = precomputed_seen(air, sight, seen, seen_peak, peak, from, down, max(whole - reach, 0.0), rest_depth) * exp(-depth);
+    Vec4 rest = precomputed_seen(air, sight, seen, seen_peak, peak, from, down, max(whole - reach, 0.0), ahead) * exp(-depth);
     again = select(ends, precomputed_segment(marched, rest, again), again);
   }
   ground = Vec4(0.0);
